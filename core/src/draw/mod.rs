@@ -1,0 +1,102 @@
+//! Whole meshes: indices checked once, then every triangle drawn, culled or rejected, and counted.
+
+mod error;
+mod index;
+mod state;
+mod statistics;
+
+pub use error::DrawError;
+pub use index::Index;
+pub use state::State;
+pub use statistics::{CulledCounts, RejectedCounts, Statistics};
+
+use crate::{
+    attachments::{Attachment, Block},
+    geometry::{Culled, Positions, Region, Triangle, Vertex},
+    numbers::Format,
+    traversal::{Mask, traverse},
+};
+
+/// Draws triangles: three indices each, in order, triangle n of the list with id `first_id + n`.
+///
+/// Every triangle is accounted for in the statistics by what became of it.
+///
+/// # Errors
+///
+/// [`DrawError`], before anything is written.
+pub fn draw<F, P, I, A>(
+    positions: &P,
+    indices: &[I],
+    first_id: u32,
+    state: &State<F>,
+    attachments: &mut A,
+) -> Result<Statistics, DrawError>
+where
+    F: Format,
+    P: Positions<F> + ?Sized,
+    I: Index,
+    A: Attachment<F>,
+{
+    let (triangles, rest) = indices.as_chunks::<3>();
+    if !rest.is_empty() {
+        return Err(DrawError::IndexCount { count: indices.len() });
+    }
+    let submitted = match u32::try_from(triangles.len()) {
+        Ok(count) if first_id.checked_add(count).is_some() => count,
+        _ => return Err(DrawError::TooManyIds { first_id, triangles: triangles.len() }),
+    };
+    let vertices = positions.count();
+    for (at, index) in indices.iter().enumerate() {
+        if index.to_usize() >= vertices {
+            return Err(DrawError::IndexOutOfRange { at, index: index.to_u32(), vertices });
+        }
+    }
+    let area = match positions.window() {
+        None => Some(state.scissor),
+        Some(window) => state.scissor.intersect(window),
+    };
+    if let Some(area) = area {
+        attachments.check(area)?;
+    }
+    let mut statistics = Statistics { submitted, ..Statistics::default() };
+    for (id, corners) in (first_id..).zip(triangles) {
+        let mut outcome = None;
+        let assembly = positions.assemble(corners.map(Index::to_usize), |vertices| {
+            let piece = match area {
+                Some(area) => draw_one(vertices, area, state, id, attachments),
+                None => Err(Culled::Outside),
+            };
+            // A triangle in several pieces is drawn if one of them is.
+            if outcome.is_none_or(|known: Result<(), Culled>| known.is_err()) {
+                outcome = Some(piece);
+            }
+        });
+        statistics.count(assembly, outcome);
+    }
+    Ok(statistics)
+}
+
+/// Sets up one window triangle and hands its blocks to the attachments.
+#[inline]
+fn draw_one<F: Format, A: Attachment<F>>(
+    vertices: [Vertex<F>; 3],
+    area: Region<F>,
+    state: &State<F>,
+    id: u32,
+    attachments: &mut A,
+) -> Result<(), Culled> {
+    let triangle = Triangle::new(vertices, state.sample).ok_or(Culled::ZeroArea)?;
+    if state.cull.culls(triangle.winding(), state.front) {
+        return Err(Culled::Facing);
+    }
+    let bounds = triangle.bounds(area)?;
+    let mut begun = false;
+    let mut visit = |x: u32, y: u32, mask: Mask| {
+        if !begun {
+            begun = true;
+            attachments.begin(&triangle);
+        }
+        attachments.block(&Block { x, y, mask, triangle: &triangle, id });
+    };
+    if traverse(&triangle, bounds, &mut visit) { Ok(()) } else { Err(Culled::NoSample) }
+}

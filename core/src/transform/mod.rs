@@ -1,0 +1,14 @@
+//! From clip space to the window: reject, clip, divide, viewport, snap.
+//!
+//! Clip space is (x, y, z, w) with x to the right, y up, 0 <= z <= w, w > 0 in front of the eye. All
+//! of it is `f32` arithmetic in a fixed order, each operation rounded once, so the bits are the same
+//! wherever IEEE 754 holds; the point where a plane cuts an edge is computed in `f64` and rounded.
+
+mod clip;
+mod plane;
+mod positions;
+mod triangulate;
+mod viewport;
+
+pub use positions::ClipPositions;
+pub use viewport::Viewport;
