@@ -36,10 +36,7 @@ fn cut(polygon: Vec<Point>, inside: impl Fn(&Point) -> Rational) -> Vec<Point> {
         }
         if at_a.is_negative() != at_b.is_negative() {
             let along = &at_a / (&at_a - &at_b);
-            kept.push(Point {
-                x: &a.x + (&b.x - &a.x) * &along,
-                y: &a.y + (&b.y - &a.y) * &along,
-            });
+            kept.push(Point { x: &a.x + (&b.x - &a.x) * &along, y: &a.y + (&b.y - &a.y) * &along });
         }
     }
     kept

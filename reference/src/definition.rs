@@ -24,10 +24,7 @@ impl Point {
 
     /// The point with these whole-numbered coordinates, for instance in sub-pixel steps.
     pub fn from_integers(x: i64, y: i64) -> Self {
-        Point {
-            x: Rational::from_integer(x.into()),
-            y: Rational::from_integer(y.into()),
-        }
+        Point { x: Rational::from_integer(x.into()), y: Rational::from_integer(y.into()) }
     }
 }
 
@@ -62,11 +59,7 @@ pub fn weights_at(corners: &[Point; 3], sample: &Point) -> Option<[Rational; 3]>
     if area.is_zero() {
         return None;
     }
-    Some([
-        side(b, c, sample) / &area,
-        side(c, a, sample) / &area,
-        side(a, b, sample) / &area,
-    ])
+    Some([side(b, c, sample) / &area, side(c, a, sample) / &area, side(a, b, sample) / &area])
 }
 
 /// The depth at a sample of a triangle with these depths at its corners: linear on the screen (rule

@@ -28,13 +28,7 @@ impl ExactPlane {
             z.swap(1, 2);
             doubled_area = -doubled_area;
         }
-        let mut plane = ExactPlane {
-            grid,
-            xy,
-            z,
-            doubled_area,
-            step_x: 0,
-        };
+        let mut plane = ExactPlane { grid, xy, z, doubled_area, step_x: 0 };
         plane.step_x = plane.numerator(1, 0) - plane.numerator(0, 0);
         (doubled_area > 0).then_some(plane)
     }

@@ -17,17 +17,11 @@ pub struct Fraction {
 }
 
 impl Fraction {
-    pub(crate) const ZERO: Fraction = Fraction {
-        numerator: 0,
-        denominator: 1,
-    };
+    pub(crate) const ZERO: Fraction = Fraction { numerator: 0, denominator: 1 };
 
     /// `numerator / denominator`; `None` unless the denominator is positive.
     pub fn new(numerator: i128, denominator: i128) -> Option<Self> {
-        (denominator > 0).then_some(Fraction {
-            numerator,
-            denominator,
-        })
+        (denominator > 0).then_some(Fraction { numerator, denominator })
     }
 
     /// The part above the line.
@@ -59,14 +53,8 @@ impl Fraction {
 
     /// The distance to an integer, exact; `None` where it does not fit 128 bits.
     pub fn distance_to(self, integer: i128) -> Option<Fraction> {
-        let numerator = integer
-            .checked_mul(self.denominator)?
-            .checked_sub(self.numerator)?
-            .checked_abs()?;
-        Some(Fraction {
-            numerator,
-            denominator: self.denominator,
-        })
+        let numerator = integer.checked_mul(self.denominator)?.checked_sub(self.numerator)?.checked_abs()?;
+        Some(Fraction { numerator, denominator: self.denominator })
     }
 }
 
@@ -75,18 +63,11 @@ impl Ord for Fraction {
     /// the products do not fit.
     fn cmp(&self, other: &Self) -> Ordering {
         self.floor().cmp(&other.floor()).then_with(|| {
-            let (a, b) = (
-                self.numerator.rem_euclid(self.denominator),
-                other.numerator.rem_euclid(other.denominator),
-            );
-            match (
-                a.checked_mul(other.denominator),
-                b.checked_mul(self.denominator),
-            ) {
+            let (a, b) =
+                (self.numerator.rem_euclid(self.denominator), other.numerator.rem_euclid(other.denominator));
+            match (a.checked_mul(other.denominator), b.checked_mul(self.denominator)) {
                 (Some(left), Some(right)) => left.cmp(&right),
-                _ => {
-                    (BigInt::from(a) * other.denominator).cmp(&(BigInt::from(b) * self.denominator))
-                }
+                _ => (BigInt::from(a) * other.denominator).cmp(&(BigInt::from(b) * self.denominator)),
             }
         })
     }

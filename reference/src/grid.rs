@@ -34,19 +34,10 @@ impl fmt::Display for GridError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             GridError::TooManySubpixelBits { given } => {
-                write!(
-                    f,
-                    "{given} sub-pixel bits are more than the {MAX_SUBPIXEL_BITS} supported"
-                )
+                write!(f, "{given} sub-pixel bits are more than the {MAX_SUBPIXEL_BITS} supported")
             }
-            GridError::SampleOutsidePixel {
-                given: (x, y),
-                steps,
-            } => {
-                write!(
-                    f,
-                    "sample ({x}, {y}) lies outside its pixel of {steps} x {steps} steps"
-                )
+            GridError::SampleOutsidePixel { given: (x, y), steps } => {
+                write!(f, "sample ({x}, {y}) lies outside its pixel of {steps} x {steps} steps")
             }
         }
     }
@@ -61,21 +52,13 @@ impl Grid {
     /// [`GridError`] for more than [`MAX_SUBPIXEL_BITS`] or a sample outside its pixel.
     pub fn new(subpixel_bits: u32, sample: (u32, u32)) -> Result<Grid, GridError> {
         if subpixel_bits > MAX_SUBPIXEL_BITS {
-            return Err(GridError::TooManySubpixelBits {
-                given: subpixel_bits,
-            });
+            return Err(GridError::TooManySubpixelBits { given: subpixel_bits });
         }
         let steps = 1 << subpixel_bits;
         if sample.0 >= steps || sample.1 >= steps {
-            return Err(GridError::SampleOutsidePixel {
-                given: sample,
-                steps,
-            });
+            return Err(GridError::SampleOutsidePixel { given: sample, steps });
         }
-        Ok(Grid {
-            subpixel_bits,
-            sample,
-        })
+        Ok(Grid { subpixel_bits, sample })
     }
 
     /// S, at most [`MAX_SUBPIXEL_BITS`].
@@ -99,10 +82,7 @@ impl Grid {
     /// The rows of `y0..y1` whose samples lie at or below `top` and above `bottom` (steps, y down).
     pub(crate) fn rows(self, top: i64, bottom: i64, y0: u32, y1: u32) -> std::ops::Range<u32> {
         let first_from = |edge: i64| {
-            let pixel = ceil_div(
-                i128::from(edge) - i128::from(self.sample.1),
-                1 << self.subpixel_bits,
-            );
+            let pixel = ceil_div(i128::from(edge) - i128::from(self.sample.1), 1 << self.subpixel_bits);
             clamp_to(pixel, y0, y1)
         };
         first_from(top)..first_from(bottom)

@@ -43,17 +43,9 @@ pub fn decimal(value: &Rational, digits: u32) -> String {
     let scale = BigInt::from(10).pow(digits);
     let scaled = nearest_ties_up(&(value.abs() * Rational::from_integer(scale.clone())));
     let (whole, rest) = scaled.div_rem(&scale);
-    let sign = if value.is_negative() && !scaled.is_zero() {
-        "-"
-    } else {
-        ""
-    };
+    let sign = if value.is_negative() && !scaled.is_zero() { "-" } else { "" };
     if digits == 0 {
         return format!("{sign}{whole}");
     }
-    format!(
-        "{sign}{whole}.{:0>width$}",
-        rest.to_string(),
-        width = digits as usize
-    )
+    format!("{sign}{whole}.{:0>width$}", rest.to_string(), width = digits as usize)
 }

@@ -4,8 +4,7 @@ use rayon::prelude::*;
 
 use crate::scene::NO_ID;
 use crate::{
-    Compare, DepthSpec, ExactPlane, Fraction, Grid, Rect, Scene, SceneError, SpecifiedPlane,
-    cover_rows,
+    Compare, DepthSpec, ExactPlane, Fraction, Grid, Rect, Scene, SceneError, SpecifiedPlane, cover_rows,
 };
 
 /// Rows of a band: the unit of parallel work. No picture depends on it.
@@ -28,10 +27,7 @@ pub(crate) fn bands_of(scene: &Scene, grid: Grid) -> Vec<Band> {
         ..scene.rect()
     };
     let mut bands: Vec<Band> = (0..scene.height.div_ceil(BAND_ROWS))
-        .map(|index| Band {
-            rect: band(index),
-            triangles: Vec::new(),
-        })
+        .map(|index| Band { rect: band(index), triangles: Vec::new() })
         .collect();
     for (index, triangle) in (0..).zip(&scene.triangles) {
         let [a, b, c] = triangle.xy.map(|[_, y]| i64::from(y));
@@ -79,17 +75,8 @@ pub(crate) struct Renderer<'a> {
 }
 
 impl<'a> Renderer<'a> {
-    pub(crate) fn new(
-        scene: &'a Scene,
-        compare: Compare,
-        spec: DepthSpec,
-    ) -> Result<Self, SceneError> {
-        Ok(Renderer {
-            scene,
-            compare,
-            spec,
-            grid: scene.check(spec)?,
-        })
+    pub(crate) fn new(scene: &'a Scene, compare: Compare, spec: DepthSpec) -> Result<Self, SceneError> {
+        Ok(Renderer { scene, compare, spec, grid: scene.check(spec)? })
     }
 
     pub(crate) fn bands(&self) -> Vec<Band> {
@@ -103,23 +90,14 @@ impl<'a> Renderer<'a> {
 
     fn exact_plane(&self, triangle: u32) -> Option<ExactPlane> {
         let triangle = self.scene.triangles.get(triangle as usize)?;
-        ExactPlane::new(
-            &triangle.xy,
-            &triangle.z.map(|z| self.spec.keep(z)),
-            self.grid,
-        )
+        ExactPlane::new(&triangle.xy, &triangle.z.map(|z| self.spec.keep(z)), self.grid)
     }
 
     /// Whether a triangle of the scene covers a pixel's sample.
     pub(crate) fn covers(&self, triangle: u32, x: u32, y: u32) -> bool {
         let mut covered = false;
         if let Some(triangle) = self.scene.triangles.get(triangle as usize) {
-            let pixel = Rect {
-                x0: x,
-                y0: y,
-                x1: x + 1,
-                y1: y + 1,
-            };
+            let pixel = Rect { x0: x, y0: y, x1: x + 1, y1: y + 1 };
             cover_rows(&triangle.xy, self.grid, pixel, |_, _| covered = true);
         }
         covered
@@ -127,12 +105,8 @@ impl<'a> Renderer<'a> {
 
     /// The pixels of a band, row-major.
     pub(crate) fn band(&self, band: &Band) -> Vec<Texel> {
-        let clear = Texel {
-            depth: self.compare.clear_value(self.spec),
-            winner: NOBODY,
-            best: NOBODY,
-            best_floor: 0,
-        };
+        let clear =
+            Texel { depth: self.compare.clear_value(self.spec), winner: NOBODY, best: NOBODY, best_floor: 0 };
         let Rect { x0, y0, x1, y1 } = band.rect;
         let width = (x1 - x0) as usize;
         let mut texels = vec![clear; width * (y1 - y0) as usize];
@@ -186,8 +160,7 @@ impl<'a> Renderer<'a> {
         if floor != texel.best_floor {
             return better.passes(&floor, &texel.best_floor);
         }
-        self.exact_plane(best)
-            .is_some_and(|plane| better.passes(&rest, &plane.walk(x, y).rest()))
+        self.exact_plane(best).is_some_and(|plane| better.passes(&rest, &plane.walk(x, y).rest()))
     }
 }
 
@@ -230,11 +203,7 @@ pub fn render(
     };
     let bands: Vec<Vec<Texel>> = renderer.bands().par_iter().map(render_band).collect();
     let texels = || bands.iter().flatten();
-    let id = |texel: &Texel| {
-        texel
-            .winner()
-            .map_or(NO_ID, |winner| scene.triangles[winner as usize].id)
-    };
+    let id = |texel: &Texel| texel.winner().map_or(NO_ID, |winner| scene.triangles[winner as usize].id);
     Ok(Picture {
         width: scene.width,
         height: scene.height,
@@ -254,11 +223,7 @@ impl Picture {
         if x >= self.width || y >= self.height {
             return None;
         }
-        let best = *self
-            .best
-            .get(y as usize * self.width as usize + x as usize)?;
-        Renderer::new(scene, Compare::Less, spec)
-            .ok()?
-            .exact(best?, x, y)
+        let best = *self.best.get(y as usize * self.width as usize + x as usize)?;
+        Renderer::new(scene, Compare::Less, spec).ok()?.exact(best?, x, y)
     }
 }

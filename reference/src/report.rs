@@ -53,12 +53,8 @@ impl AddAssign for Mismatches {
 
 impl fmt::Display for Mismatches {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let present: Vec<String> = self
-            .kinds()
-            .iter()
-            .filter(|(_, n)| *n > 0)
-            .map(|(kind, n)| format!("{kind} {n}"))
-            .collect();
+        let present: Vec<String> =
+            self.kinds().iter().filter(|(_, n)| *n > 0).map(|(kind, n)| format!("{kind} {n}")).collect();
         f.write_str(if present.is_empty() { "none" } else { "" })?;
         f.write_str(&present.join(", "))
     }
@@ -98,24 +94,16 @@ impl fmt::Display for Difference {
         writeln!(f, "pixel (x {}, y {}): {}", self.x, self.y, self.kinds)?;
         let id = |id: Option<u32>| id.map_or_else(|| "none".to_owned(), |id| id.to_string());
         for (name, outcome) in [("specified", &self.specified), ("given", &self.given)] {
-            write!(
-                f,
-                "  {name:<10} triangle {}, depth {}",
-                id(outcome.id),
-                outcome.depth
-            )?;
+            write!(f, "  {name:<10} triangle {}, depth {}", id(outcome.id), outcome.depth)?;
             match outcome.exact {
                 Some(exact) => writeln!(f, ", exact depth {}", exactly(exact))?,
                 None => writeln!(f)?,
             }
         }
         match self.best {
-            Some((id, exact)) => write!(
-                f,
-                "  {:<10} triangle {id}, exact depth {}",
-                "exact best",
-                exactly(exact)
-            ),
+            Some((id, exact)) => {
+                write!(f, "  {:<10} triangle {id}, exact depth {}", "exact best", exactly(exact))
+            }
             None => write!(f, "  {:<10} none", "exact best"),
         }
     }
@@ -158,19 +146,11 @@ impl Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(
-            f,
-            "{} pixels compared, {} of them covered",
-            self.pixels, self.covered
-        )?;
+        writeln!(f, "{} pixels compared, {} of them covered", self.pixels, self.covered)?;
         match &self.first {
             None => writeln!(f, "identical: every pixel is as specified")?,
             Some(first) => {
-                writeln!(
-                    f,
-                    "NOT identical: {} pixels differ ({})",
-                    self.mismatches.pixels, self.mismatches
-                )?;
+                writeln!(f, "NOT identical: {} pixels differ ({})", self.mismatches.pixels, self.mismatches)?;
                 writeln!(f, "first difference at {first}")?;
             }
         }

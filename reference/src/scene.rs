@@ -75,26 +75,17 @@ impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             SceneError::Size { width, height } => {
-                write!(
-                    f,
-                    "a target of {width} x {height} pixels: each side must be 1 to {MAX_SIDE}"
-                )
+                write!(f, "a target of {width} x {height} pixels: each side must be 1 to {MAX_SIDE}")
             }
             SceneError::Grid(error) => error.fmt(f),
             SceneError::TooManyTriangles { given } => {
                 write!(f, "{given} triangles are too many to number in 32 bits")
             }
             SceneError::ReservedId { triangle } => {
-                write!(
-                    f,
-                    "triangle {triangle} has the id {NO_ID}, which means that there is none"
-                )
+                write!(f, "triangle {triangle} has the id {NO_ID}, which means that there is none")
             }
             SceneError::DepthTooWide { triangle, z, bits } => {
-                write!(
-                    f,
-                    "triangle {triangle} has a corner of depth {z}, which does not fit {bits} bits"
-                )
+                write!(f, "triangle {triangle} has a corner of depth {z}, which does not fit {bits} bits")
             }
         }
     }
@@ -119,29 +110,18 @@ impl Scene {
             return Err(SceneError::Size { width, height });
         }
         if u32::try_from(self.triangles.len()).is_ok_and(|count| count < NO_ID) {
-            if let Some(triangle) = self
-                .triangles
-                .iter()
-                .position(|triangle| triangle.id == NO_ID)
-            {
+            if let Some(triangle) = self.triangles.iter().position(|triangle| triangle.id == NO_ID) {
                 return Err(SceneError::ReservedId { triangle });
             }
             Ok(Grid::new(self.subpixel_bits, self.sample)?)
         } else {
-            Err(SceneError::TooManyTriangles {
-                given: self.triangles.len(),
-            })
+            Err(SceneError::TooManyTriangles { given: self.triangles.len() })
         }
     }
 
     /// The whole target.
     pub fn rect(&self) -> Rect {
-        Rect {
-            x0: 0,
-            y0: 0,
-            x1: self.width,
-            y1: self.height,
-        }
+        Rect { x0: 0, y0: 0, x1: self.width, y1: self.height }
     }
 
     /// As [`Scene::grid`], and checks that all depths fit the format.
@@ -149,11 +129,7 @@ impl Scene {
         let grid = self.grid()?;
         for (triangle, &SceneTriangle { z, .. }) in self.triangles.iter().enumerate() {
             if let Some(&z) = z.iter().find(|&&z| z > spec.farthest()) {
-                return Err(SceneError::DepthTooWide {
-                    triangle,
-                    z,
-                    bits: spec.bits(),
-                });
+                return Err(SceneError::DepthTooWide { triangle, z, bits: spec.bits() });
             }
         }
         Ok(grid)

@@ -17,12 +17,7 @@ use crate::{Grid, Rect, Scene, SceneError};
 ///
 /// `xy` in sub-pixel steps: any `i32`. Intermediate values stay below 2^67 in magnitude, so `i128` is
 /// exact. Held to the definition by `tests/coverage.rs`.
-pub fn cover_rows(
-    xy: &[[i32; 2]; 3],
-    grid: Grid,
-    rect: Rect,
-    mut row: impl FnMut(u32, Range<u32>),
-) {
+pub fn cover_rows(xy: &[[i32; 2]; 3], grid: Grid, rect: Rect, mut row: impl FnMut(u32, Range<u32>)) {
     let mut corners = xy.map(|[x, y]| (i64::from(y), i64::from(x)));
     corners.sort_unstable();
     let [top, middle, bottom] = corners;
@@ -33,18 +28,10 @@ pub fn cover_rows(
     let long_is_left = offset > 0;
     for y in grid.rows(top.0, bottom.0, rect.y0, rect.y1) {
         let (_, line) = grid.sample_at(0, y);
-        let (from, to) = if line < middle.0 {
-            (top, middle)
-        } else {
-            (middle, bottom)
-        };
+        let (from, to) = if line < middle.0 { (top, middle) } else { (middle, bottom) };
         let long = first_column(top, bottom, line, grid, rect);
         let short = first_column(from, to, line, grid, rect);
-        let columns = if long_is_left {
-            long..short
-        } else {
-            short..long
-        };
+        let columns = if long_is_left { long..short } else { short..long };
         if !columns.is_empty() {
             row(y, columns);
         }
@@ -56,12 +43,7 @@ pub fn cover_rows(
 fn line_at(from: (i64, i64), to: (i64, i64), y: i64) -> Option<(i128, i128)> {
     let rise = i128::from(to.0 - from.0);
     let run = i128::from(to.1 - from.1);
-    (rise > 0).then(|| {
-        (
-            i128::from(from.1) * rise + run * i128::from(y - from.0),
-            rise,
-        )
-    })
+    (rise > 0).then(|| (i128::from(from.1) * rise + run * i128::from(y - from.0), rise))
 }
 
 /// The first column of the rectangle whose sample is not left of the edge on this line.
@@ -69,11 +51,7 @@ fn first_column(from: (i64, i64), to: (i64, i64), line: i64, grid: Grid, rect: R
     match line_at(from, to, line) {
         Some((n, d)) => {
             let from_sample = n - i128::from(grid.sample().0) * d;
-            clamp_to(
-                ceil_div(from_sample, d << grid.subpixel_bits()),
-                rect.x0,
-                rect.x1,
-            )
+            clamp_to(ceil_div(from_sample, d << grid.subpixel_bits()), rect.x0, rect.x1)
         }
         None => rect.x1, // not reached: an edge is asked only for lines of from.y <= line < to.y
     }
@@ -88,26 +66,16 @@ pub fn cover_count_picture(scene: &Scene) -> Result<Vec<u32>, SceneError> {
     let bands = bands_of(scene, grid);
     let width = scene.width as usize;
     let mut counts = vec![0; width * scene.height as usize];
-    counts
-        .par_chunks_mut(width * BAND_ROWS as usize)
-        .zip(&bands)
-        .for_each(|(counts, band)| {
-            for &index in &band.triangles {
-                cover_rows(
-                    &scene.triangles[index as usize].xy,
-                    grid,
-                    band.rect,
-                    |y, columns| {
-                        let start = (y - band.rect.y0) as usize * width;
-                        for count in &mut counts
-                            [start + columns.start as usize..start + columns.end as usize]
-                        {
-                            *count += 1;
-                        }
-                    },
-                );
-            }
-        });
+    counts.par_chunks_mut(width * BAND_ROWS as usize).zip(&bands).for_each(|(counts, band)| {
+        for &index in &band.triangles {
+            cover_rows(&scene.triangles[index as usize].xy, grid, band.rect, |y, columns| {
+                let start = (y - band.rect.y0) as usize * width;
+                for count in &mut counts[start + columns.start as usize..start + columns.end as usize] {
+                    *count += 1;
+                }
+            });
+        }
+    });
     Ok(counts)
 }
 

@@ -54,20 +54,11 @@ impl Error for DepthSpecError {}
 
 impl DepthSpec {
     /// 32-bit depth, 32 fraction bits.
-    pub const D32: DepthSpec = DepthSpec {
-        bits: 32,
-        half_word: 32,
-    };
+    pub const D32: DepthSpec = DepthSpec { bits: 32, half_word: 32 };
     /// 16-bit depth, 32 fraction bits.
-    pub const D16: DepthSpec = DepthSpec {
-        bits: 16,
-        half_word: 32,
-    };
+    pub const D16: DepthSpec = DepthSpec { bits: 16, half_word: 32 };
     /// 16-bit depth, 16 fraction bits: the format for small targets.
-    pub const SMALL: DepthSpec = DepthSpec {
-        bits: 16,
-        half_word: 16,
-    };
+    pub const SMALL: DepthSpec = DepthSpec { bits: 16, half_word: 16 };
 
     /// K stored bits with H fraction bits.
     ///
@@ -105,11 +96,7 @@ impl DepthSpec {
     /// 1.01, and 1.5 for [`DepthSpec::SMALL`], inside the coordinate ranges of its formats (2^23 steps
     /// of 2^-8 px; 2^14 steps of 2^-4 px).
     pub fn bound(self) -> (i128, i128) {
-        if self.half_word == 16 {
-            (150, 100)
-        } else {
-            (101, 100)
-        }
+        if self.half_word == 16 { (150, 100) } else { (101, 100) }
     }
 
     /// What a corner's depth is multiplied by before the plane is set up: 2^(word - K).
@@ -146,11 +133,7 @@ pub fn specified_depth(
     order.sort_by_key(|&i| (xy[i][1], xy[i][0]));
     let corner = |i: usize| {
         let [x, y]: [i32; 2] = xy[order[i]];
-        (
-            BigInt::from(x),
-            BigInt::from(y),
-            BigInt::from(z[order[i]]) << spec.scale_bits(),
-        )
+        (BigInt::from(x), BigInt::from(y), BigInt::from(z[order[i]]) << spec.scale_bits())
     };
     let ((x0, y0, z0), (mut x1, mut y1, mut z1), (mut x2, mut y2, mut z2)) =
         (corner(0), corner(1), corner(2));
@@ -177,11 +160,8 @@ pub fn specified_depth(
     let base = (z0 << spec.half_word) + &gx * (first_x - &x0) + &gy * (first_y - &y0);
     let offset = gx * (sample_x - first_x) + gy * (sample_y - first_y);
 
-    let stored =
-        |v: BigInt| nearest_ties_up(&Rational::new(v, BigInt::from(1) << spec.fraction_bits()));
-    (stored(base) + stored(offset))
-        .mod_floor(&(BigInt::from(1) << spec.bits))
-        .to_u32()
+    let stored = |v: BigInt| nearest_ties_up(&Rational::new(v, BigInt::from(1) << spec.fraction_bits()));
+    (stored(base) + stored(offset)).mod_floor(&(BigInt::from(1) << spec.bits)).to_u32()
 }
 
 /// The stored depths of one triangle: [`specified_depth`], fast.
@@ -210,8 +190,7 @@ impl SpecifiedPlane {
         corners.sort_unstable_by_key(|&(y, x, _)| (y, x));
         let [(y0, x0, z0), first, second] = corners;
         let relative = |(y, x, z): (i128, i128, i128)| (x - x0, y - y0, z - z0);
-        let ((mut bx, mut by, mut bz), (mut cx, mut cy, mut cz)) =
-            (relative(first), relative(second));
+        let ((mut bx, mut by, mut bz), (mut cx, mut cy, mut cz)) = (relative(first), relative(second));
         let mut d = bx * cy - cx * by;
         if d == 0 {
             return None;
@@ -221,25 +200,14 @@ impl SpecifiedPlane {
             d = -d;
         }
         // |N| <= 2^65 (32-bit differences of depth and of place), so 2 (N << H) + D is below 2^99.
-        let gradient = [bz * cy - cz * by, cz * bx - bz * cx]
-            .map(|n| (2 * (n << spec.half_word) + d).div_euclid(2 * d));
+        let gradient =
+            [bz * cy - cz * by, cz * bx - bz * cx].map(|n| (2 * (n << spec.half_word) + d).div_euclid(2 * d));
         let mut offsets = [0; 16];
         for (lane, offset) in offsets.iter_mut().enumerate() {
             let (column, row) = (lane as i128 % 4, lane as i128 / 4);
-            *offset = stored(
-                (gradient[0] * column + gradient[1] * row) << grid.subpixel_bits(),
-                spec,
-            );
+            *offset = stored((gradient[0] * column + gradient[1] * row) << grid.subpixel_bits(), spec);
         }
-        Some(SpecifiedPlane {
-            xy: *xy,
-            z: *z,
-            grid,
-            spec,
-            anchor: [x0, y0, z0],
-            gradient,
-            offsets,
-        })
+        Some(SpecifiedPlane { xy: *xy, z: *z, grid, spec, anchor: [x0, y0, z0], gradient, offsets })
     }
 
     /// The stored depth at a pixel's sample.
@@ -253,9 +221,7 @@ impl SpecifiedPlane {
         let [x0, y0, z0] = self.anchor;
         let along_x = self.gradient[0].checked_mul(i128::from(first_x) - x0)?;
         let along_y = self.gradient[1].checked_mul(i128::from(first_y) - y0)?;
-        let base = (z0 << self.spec.half_word)
-            .checked_add(along_x)?
-            .checked_add(along_y)?;
+        let base = (z0 << self.spec.half_word).checked_add(along_x)?.checked_add(along_y)?;
         base.checked_add(1 << self.spec.fraction_bits())?; // room for the rounding
         Some(stored(base, self.spec))
     }
@@ -268,8 +234,7 @@ impl SpecifiedPlane {
             .and_then(|sum| u32::try_from(sum & i128::from(self.spec.farthest())).ok());
         // A plane has area, so the definition has an answer.
         reduced.unwrap_or_else(|| {
-            specified_depth(&self.xy, &self.z, self.grid, self.spec, (x, y))
-                .unwrap_or(self.spec.farthest())
+            specified_depth(&self.xy, &self.z, self.grid, self.spec, (x, y)).unwrap_or(self.spec.farthest())
         })
     }
 }

@@ -22,15 +22,9 @@ pub struct Planes {
 
 impl Planes {
     /// Both planes, as depth clip does. What is left has `w >= 0`.
-    pub const BOTH: Planes = Planes {
-        near: true,
-        far: true,
-    };
+    pub const BOTH: Planes = Planes { near: true, far: true };
     /// Only `z >= 0`.
-    pub const NEAR: Planes = Planes {
-        near: true,
-        far: false,
-    };
+    pub const NEAR: Planes = Planes { near: true, far: false };
 }
 
 /// Why a triangle has no exact clipped form.
@@ -48,10 +42,7 @@ pub enum ClipError {
 impl fmt::Display for ClipError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let ClipError::NonFinite { corner, component } = self;
-        write!(
-            f,
-            "component {component} of corner {corner} is not a finite number"
-        )
+        write!(f, "component {component} of corner {corner} is not a finite number")
     }
 }
 
@@ -84,10 +75,7 @@ pub fn clip(triangle: [[f32; 4]; 3], planes: Planes) -> Result<Vec<[Rational; 4]
 }
 
 /// Keeps where `inside`, a linear function of the homogeneous vertex, is at least 0.
-fn cut(
-    polygon: &[[Rational; 4]],
-    inside: impl Fn(&[Rational; 4]) -> Rational,
-) -> Vec<[Rational; 4]> {
+fn cut(polygon: &[[Rational; 4]], inside: impl Fn(&[Rational; 4]) -> Rational) -> Vec<[Rational; 4]> {
     let mut kept = Vec::with_capacity(polygon.len() + 1);
     for (i, a) in polygon.iter().enumerate() {
         let b = &polygon[(i + 1) % polygon.len()];

@@ -11,8 +11,7 @@ use rayon::prelude::*;
 use crate::render::{Band, Renderer, Texel};
 use crate::scene::NO_ID;
 use crate::{
-    Compare, DepthSpec, Difference, Fraction, Mismatches, Outcome, Rational, Report, Scene,
-    SceneError,
+    Compare, DepthSpec, Difference, Fraction, Mismatches, Outcome, Rational, Report, Scene, SceneError,
 };
 
 /// Why a picture cannot be verified.
@@ -41,16 +40,10 @@ impl fmt::Display for VerifyError {
         match self {
             VerifyError::Scene(error) => error.fmt(f),
             VerifyError::DepthLength { needed, given } => {
-                write!(
-                    f,
-                    "the depth picture has {given} values, the target {needed} pixels"
-                )
+                write!(f, "the depth picture has {given} values, the target {needed} pixels")
             }
             VerifyError::IdsLength { needed, given } => {
-                write!(
-                    f,
-                    "the id picture has {given} values, the target {needed} pixels"
-                )
+                write!(f, "the id picture has {given} values, the target {needed} pixels")
             }
         }
     }
@@ -89,10 +82,7 @@ pub fn verify(
     let renderer = Renderer::new(scene, compare, spec)?;
     let needed = scene.width as usize * scene.height as usize;
     if depth.len() != needed {
-        return Err(VerifyError::DepthLength {
-            needed,
-            given: depth.len(),
-        });
+        return Err(VerifyError::DepthLength { needed, given: depth.len() });
     }
     if let Some(given) = ids.map(<[u32]>::len).filter(|&given| given != needed) {
         return Err(VerifyError::IdsLength { needed, given });
@@ -103,17 +93,8 @@ pub fn verify(
         let pixels = start..start + texels.len();
         let mut judge = Judge::new(&renderer, band);
         for (position, texel) in pixels.zip(&texels) {
-            let (x, y) = (
-                position % scene.width as usize,
-                position / scene.width as usize,
-            );
-            judge.pixel(
-                x as u32,
-                y as u32,
-                texel,
-                depth[position],
-                ids.map(|ids| ids[position]),
-            );
+            let (x, y) = (position % scene.width as usize, position / scene.width as usize);
+            judge.pixel(x as u32, y as u32, texel, depth[position], ids.map(|ids| ids[position]));
         }
         progress(texels.len() as u64);
         judge.tally
@@ -152,11 +133,7 @@ fn total(tallies: Vec<Tally>, spec: DepthSpec) -> Report {
         first: all.first,
         measured: all.measured,
         max_error: all.max_error.map_or(0.0, Fraction::approximate),
-        mean_error: if all.measured == 0 {
-            0.0
-        } else {
-            all.sum_error / all.measured as f64
-        },
+        mean_error: if all.measured == 0 { 0.0 } else { all.sum_error / all.measured as f64 },
         spec,
     }
 }
@@ -171,21 +148,11 @@ struct Judge<'a> {
 
 impl<'a> Judge<'a> {
     fn new(renderer: &'a Renderer<'a>, band: &'a Band) -> Self {
-        Judge {
-            renderer,
-            band,
-            by_id: OnceCell::new(),
-            tally: Tally::default(),
-        }
+        Judge { renderer, band, by_id: OnceCell::new(), tally: Tally::default() }
     }
 
     fn pixel(&mut self, x: u32, y: u32, texel: &Texel, depth: u32, id: Option<u32>) {
-        let Renderer {
-            scene,
-            compare,
-            spec,
-            ..
-        } = *self.renderer;
+        let Renderer { scene, compare, spec, .. } = *self.renderer;
         let id_of = |triangle: u32| scene.triangles[triangle as usize].id;
         let winner = texel.winner();
         let specified_id = winner.map_or(NO_ID, id_of);
@@ -213,9 +180,7 @@ impl<'a> Judge<'a> {
             self.tally.sum_error += error.approximate();
             self.tally.max_error = self.tally.max_error.max(Some(error));
         }
-        let best = texel
-            .best()
-            .and_then(|best| Some((best, self.renderer.exact(best, x, y)?)));
+        let best = texel.best().and_then(|best| Some((best, self.renderer.exact(best, x, y)?)));
         if let (Some(given), Some((best, best_exact))) = (given_exact, best)
             && given_winner != Some(best)
             && compare != Compare::Always
@@ -239,11 +204,7 @@ impl<'a> Judge<'a> {
                     depth: texel.depth,
                     exact: winner.and_then(exact),
                 },
-                given: Outcome {
-                    id: id.and_then(named),
-                    depth,
-                    exact: given_exact,
-                },
+                given: Outcome { id: id.and_then(named), depth, exact: given_exact },
                 best: best.map(|(triangle, exact)| (id_of(triangle), exact)),
             });
         }
@@ -254,20 +215,13 @@ impl<'a> Judge<'a> {
         let by_id = self.by_id.get_or_init(|| {
             let mut by_id: HashMap<u32, Vec<u32>> = HashMap::new();
             for &index in &self.band.triangles {
-                by_id
-                    .entry(self.renderer.scene.triangles[index as usize].id)
-                    .or_default()
-                    .push(index);
+                by_id.entry(self.renderer.scene.triangles[index as usize].id).or_default().push(index);
             }
             by_id
         });
         let pieces = by_id.get(&id)?.iter().copied();
         let covering = pieces.filter(|&piece| self.renderer.covers(piece, x, y));
-        covering.min_by_key(|&piece| {
-            self.renderer
-                .exact(piece, x, y)?
-                .distance_to(i128::from(depth))
-        })
+        covering.min_by_key(|&piece| self.renderer.exact(piece, x, y)?.distance_to(i128::from(depth)))
     }
 }
 
