@@ -43,7 +43,7 @@ impl<'a, F: Format> Coverage<'a, F> {
     /// [`StorageError::BufferTooSmall`] where `rows` has fewer bytes; nothing is written then.
     pub fn to_bits(&self, rows: &mut [u8]) -> Result<(), StorageError> {
         let region = self.masks.region();
-        let pitch = region.width().div_ceil(8);
+        let pitch = region.width().div_ceil(8).max(1);
         let given = rows.len();
         let needed = pitch as usize * region.height() as usize;
         at_least(needed, given)?;

@@ -171,7 +171,7 @@ impl<'a, F: Format, E: Copy> Tiled<'a, F, [E; 16]> {
         let (width, height) = (self.region.width() as usize, self.region.height() as usize);
         at_least(width * height, rows.len())?;
         let pitch = width.div_ceil(4);
-        for (y, row) in rows.chunks_exact_mut(width).take(height).enumerate() {
+        for (y, row) in rows.chunks_exact_mut(width.max(1)).take(height).enumerate() {
             let blocks = self.blocks.iter().skip(y / 4 * pitch);
             for (pixels, block) in row.chunks_mut(4).zip(blocks) {
                 let texels = block.iter().skip(4 * (y % 4));
