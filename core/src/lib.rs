@@ -36,7 +36,7 @@
 //! # Layers
 //!
 //! Imports run one way: [`numbers`] → [`geometry`] → [`lanes`] → [`traversal`] → [`attachments`] →
-//! [`mod@draw`]; [`transform`] stands beside `draw` and knows `numbers` and `geometry` only. A caller
+//! [`mod@draw`]; `transform` stands beside `draw` and knows `numbers` and `geometry` only. A caller
 //! can stop at any level: set up one [`Triangle`] by hand, [`traverse`] its blocks with a closure,
 //! or hand a whole mesh to [`draw()`].
 //!

@@ -8,7 +8,7 @@ use super::{
 use crate::{
     geometry::{Plane, Region, Triangle},
     lanes::{ArrayLanes, Lanes},
-    numbers::{Format, Word},
+    numbers::{Format, WordArithmetic},
     traversal::Mask,
 };
 use core::marker::PhantomData;

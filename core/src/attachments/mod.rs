@@ -60,7 +60,7 @@ pub struct Block<'t, F: Format> {
 /// }
 /// ```
 pub trait Attachment<F: Format> {
-    /// Takes one block; returns the samples that later attachments are to see.
+    /// Takes one block; returns which of its samples later attachments are to see.
     fn block(&mut self, block: &Block<'_, F>) -> Mask;
 
     /// Called before the blocks of each triangle, with what stays the same in all of them.
@@ -146,7 +146,7 @@ impl<F: Format, A: Attachment<F>> Attachment<F> for &mut A {
 impl<F: Format, A: Attachment<F>, B: Attachment<F>> Attachment<F> for (A, B) {
     #[inline]
     fn block(&mut self, block: &Block<'_, F>) -> Mask {
-        let mask = self.0.block(block);
+        let mask = self.0.block(block).and(block.mask);
         if mask.is_empty() {
             return mask;
         }

@@ -1,7 +1,7 @@
 //! Edge functions in exact integers, with the top-left rule as a bias.
 
 use super::{sample::Sample, vertex::Vertex};
-use crate::numbers::{Format, Wide};
+use crate::numbers::{Format, WideArithmetic};
 
 /// The edge from one vertex to another of a triangle with positive doubled area: the edge function
 /// E(p) = A (px - xa) + B (py - ya) with A = ya - yb, B = xb - xa, in steps².

@@ -1,10 +1,10 @@
 //! The depth plane of a triangle, in fixed point modulo the depth's range.
 
 use super::{sample::Sample, triangle::Triangle};
-use crate::numbers::{Format, Word};
+use crate::numbers::{Format, WordArithmetic};
 
 /// The depth of a triangle as a plane over the window: a word of H.H fixed point
-/// ([`Word::HALF_BITS`]), modulo 2^H.
+/// ([`Word::HALF_BITS`](crate::numbers::Word::HALF_BITS)), modulo 2^H.
 ///
 /// With D the doubled area, (dx, dy, dz)k from the triangle's first vertex, the exact gradients are
 /// Nx / D and Ny / D for Nx = dz1 dy2 - dz2 dy1 and Ny = dz2 dx1 - dz1 dx2. Each is kept as the word

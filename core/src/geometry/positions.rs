@@ -6,7 +6,7 @@ use crate::numbers::Format;
 /// Vertices that indices refer to, and how three of them become window triangles.
 ///
 /// Implemented for slices of window vertices, which become one triangle each, and by
-/// [`ClipPositions`](crate::ClipPositions), whose triangles are clipped into none or several.
+/// `ClipPositions` (feature `transform`), whose triangles are clipped into none or several.
 pub trait Positions<F: Format> {
     /// How many vertices there are.
     fn count(&self) -> usize;

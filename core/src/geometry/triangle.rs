@@ -7,7 +7,7 @@ use super::{
     sample::Sample,
     vertex::Vertex,
 };
-use crate::numbers::{Bounds, Format, Wide};
+use crate::numbers::{Bounds, Format, WideArithmetic};
 
 /// Twice the signed area of the triangle (a, b, c), in steps²: positive where it is clockwise on the
 /// screen.

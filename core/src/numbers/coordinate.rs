@@ -15,6 +15,7 @@ impl<F: Format> Coordinate<F> {
     /// The coordinate of that many steps; `None` outside the guard band.
     #[must_use]
     pub const fn from_steps(steps: i32) -> Option<Self> {
+        let () = Bounds::<F>::CHECKED;
         if steps < -Bounds::<F>::GUARD_BAND || steps > Bounds::<F>::GUARD_BAND {
             None
         } else {
@@ -30,6 +31,7 @@ impl<F: Format> Coordinate<F> {
     /// floats: no rounding but the last.
     #[must_use]
     pub fn snap(pixels: f32) -> Option<Self> {
+        let () = Bounds::<F>::CHECKED;
         let scaled = pixels * Bounds::<F>::STEPS_PER_PIXEL as f32;
         let end = Bounds::<F>::GUARD_BAND as f32;
         if scaled.is_nan() {

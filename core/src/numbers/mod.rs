@@ -12,4 +12,6 @@ pub use coordinate::Coordinate;
 pub use format::{Format, Small, Standard};
 pub use unorm::{DEPTH16_MAX, DEPTH16_MIN, DEPTH32_MAX, DEPTH32_MIN, unorm16, unorm32};
 pub use wide::Wide;
+pub(crate) use wide::arithmetic::WideArithmetic;
 pub use word::Word;
+pub(crate) use word::arithmetic::WordArithmetic;

@@ -4,7 +4,7 @@ use super::mask::Mask;
 use crate::{
     geometry::{Edge, Region, Sample, Triangle},
     lanes::Lanes,
-    numbers::{Format, Wide},
+    numbers::{Format, WideArithmetic},
 };
 
 /// What a reduced edge value is at a square's first pixel and how it steps, in 32 bits. An edge that
