@@ -1,0 +1,128 @@
+//! Wavefront OBJ: the positions and faces; materials, normals and texture coordinates are ignored.
+
+use tobj::LoadOptions;
+
+use crate::mesh::Mesh;
+
+use super::{Problem, not_finite, one_line};
+
+/// Reads a whole file.
+pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, Problem> {
+    let options = LoadOptions {
+        triangulate: true,
+        ignore_points: true,
+        ignore_lines: true,
+        ..LoadOptions::default()
+    };
+    // Colours come from the program's own clay: no material library is opened.
+    let no_materials = |_: &std::path::Path| Ok(Default::default());
+    let mut reader = bytes;
+    let (models, _) = tobj::load_obj_buf(&mut reader, &options, no_materials)
+        .map_err(|error| locate(bytes).unwrap_or_else(|| malformed(error)))?;
+    let (mut positions, mut indices) = (Vec::new(), Vec::new());
+    for mesh in models.into_iter().map(|model| model.mesh) {
+        let first = u32::try_from(positions.len()).ok();
+        for index in mesh.indices {
+            let index = first.and_then(|first| first.checked_add(index));
+            indices.push(index.ok_or(Problem::TooLarge { what: "vertices", count: 1 << 32 })?);
+        }
+        positions.extend(mesh.positions.chunks_exact(3).map(|p| [p[0], p[1], p[2]]));
+    }
+    if positions.iter().flatten().all(|c: &f32| c.is_finite()) {
+        return Ok(Mesh::plain(positions, indices));
+    }
+    // The general check finds it too, but only this one knows the line.
+    locate(bytes).map_or_else(|| Ok(Mesh::plain(positions, indices)), Err)
+}
+
+fn malformed(error: tobj::LoadError) -> Problem {
+    Problem::Malformed {
+        at: "not a well-formed OBJ file".to_owned(),
+        expected: one_line(error),
+    }
+}
+
+/// The line of the first `v` that is not three finite numbers or `f` that names a vertex which is
+/// not there, for the error message; `None` where the fault is of another kind.
+fn locate(bytes: &[u8]) -> Option<Problem> {
+    let text = String::from_utf8_lossy(bytes);
+    let all = text.lines().filter(|line| line.split_whitespace().next() == Some("v")).count();
+    let mut vertices = 0;
+    for (number, line) in text.lines().enumerate() {
+        let at = format!("line {}", number + 1);
+        let mut words = line.split_whitespace();
+        let problem = match words.next() {
+            Some("v") => {
+                vertices += 1;
+                bad_vertex(at, line, words)
+            }
+            Some("f") => words.find_map(|corner| bad_corner(&at, corner, vertices, all)),
+            _ => None,
+        };
+        if problem.is_some() {
+            return problem;
+        }
+    }
+    std::str::from_utf8(bytes).err().map(|error| Problem::Malformed {
+        at: format!("byte {}", error.valid_up_to()),
+        expected: "an OBJ file is text in UTF-8".to_owned(),
+    })
+}
+
+fn bad_vertex<'a>(
+    at: String,
+    line: &str,
+    words: impl Iterator<Item = &'a str>,
+) -> Option<Problem> {
+    let numbers: Option<Vec<f32>> = words.take(3).map(|word| word.parse().ok()).collect();
+    match numbers.as_deref() {
+        Some(&[x, y, z]) if [x, y, z].iter().all(|c| c.is_finite()) => None,
+        Some(&[x, y, z]) => Some(not_finite(at, [x, y, z])),
+        _ => Some(Problem::Malformed {
+            at: format!("{at}, \"{}\"", one_line(line)),
+            expected: "a vertex is \"v\" and three numbers".to_owned(),
+        }),
+    }
+}
+
+/// Indices count from 1, or back from the last vertex so far when negative.
+fn bad_corner(at: &str, corner: &str, so_far: usize, all: usize) -> Option<Problem> {
+    let first = corner.split('/').next().unwrap_or(corner);
+    let Ok(index) = first.parse::<i64>() else {
+        return Some(Problem::Malformed {
+            at: format!("{at}, \"{}\"", one_line(corner)),
+            expected: "a face's corner is a vertex number, or vertex/texture/normal".to_owned(),
+        });
+    };
+    let right = if index < 0 {
+        index.unsigned_abs() <= so_far as u64
+    } else {
+        index > 0 && index.unsigned_abs() <= all as u64
+    };
+    (!right).then(|| Problem::Index { at: at.to_owned(), index, vertices: all })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn polygons_become_triangles_and_negative_indices_count_back() {
+        let mesh = parse(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf -4 -3 -2 -1\n").unwrap();
+        assert_eq!((mesh.positions.len(), mesh.triangles()), (4, 2));
+    }
+
+    #[test]
+    fn faults_are_located_by_line() {
+        let cases: [(&[u8], &str); 4] = [
+            (b"v 0 0 0\nv 1 x 0\n", "line 2"),
+            (b"v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 9\n", "line 4"),
+            (b"v 0 0 0\nv 1 0 0\nv 1 1 0\n\nf 1 2 0\n", "line 5"),
+            (b"v 0 0 0\nv 1 nan 0\nv 1 1 0\nf 1 2 3\n", "line 2"),
+        ];
+        for (text, line) in cases {
+            let problem = parse(text).unwrap_err();
+            assert!(format!("{problem:?}").contains(line), "{problem:?}");
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! From a mesh and a matrix to depth and triangle ids, with the rasterizer's own clip and draw.
+
+use std::fmt;
+
+use halfplane::{
+    ClipPositions, Cull, D16, D32, Depth, DepthFormat, DepthTest, DrawError, Ids, Region, RegionError,
+    Standard, State, Statistics, StorageError, Viewport, Winding, draw, texels,
+};
+
+use crate::args;
+use crate::camera::Matrix;
+use crate::mesh::Mesh;
+
+/// What one picture is drawn with.
+#[derive(Debug, Clone, Copy)]
+pub struct Settings {
+    /// The whole target.
+    pub region: Region<Standard>,
+    /// Which faces are left out.
+    pub cull: Cull,
+    /// How front faces wind.
+    pub front: Winding,
+    /// The depth format.
+    pub depth: args::DepthFormat,
+}
+
+/// Depth and ids of every pixel, in rows from the top.
+#[derive(Debug)]
+pub struct Picture {
+    /// Width in pixels.
+    pub width: u32,
+    /// Height in pixels.
+    pub height: u32,
+    /// Bits of a depth: 32 or 16.
+    pub bits: u32,
+    /// Depths; 2^bits - 1 where nothing was drawn.
+    pub depth: Vec<u32>,
+    /// Triangle ids; [`halfplane::NO_ID`] where nothing was drawn.
+    pub ids: Vec<u32>,
+    /// What became of the triangles.
+    pub statistics: Statistics,
+}
+
+/// A picture that cannot be drawn.
+#[derive(Debug)]
+pub enum RenderError {
+    /// The size is none a target can have.
+    Region(RegionError),
+    /// The rasterizer refused its storage.
+    Storage(StorageError),
+    /// The rasterizer refused the draw.
+    Draw(DrawError),
+    /// The reference refused the scene.
+    Verify(halfplane_reference::VerifyError),
+}
+
+impl Settings {
+    /// The drawing state.
+    #[must_use]
+    pub fn state(&self) -> State<Standard> {
+        State { cull: self.cull, front: self.front, ..State::new(self.region) }
+    }
+}
+
+/// The mesh's positions in clip space: x m0 + y m1 + z m2 + m3, from left to right in `f32`, so that the
+/// bits are the same everywhere.
+#[must_use]
+pub fn to_clip(mesh: &Mesh, matrix: &Matrix) -> Vec<[f32; 4]> {
+    let m = matrix;
+    let point = |&[x, y, z]: &[f32; 3]| {
+        std::array::from_fn(|k| x * m[k] + y * m[4 + k] + z * m[8 + k] + m[12 + k])
+    };
+    mesh.positions.iter().map(point).collect()
+}
+
+/// Draws a mesh whose vertices are in clip space already.
+///
+/// # Errors
+///
+/// [`RenderError`] where the rasterizer refuses; not for any mesh that was loaded.
+pub fn render(clip: &[[f32; 4]], indices: &[u32], settings: &Settings) -> Result<Picture, RenderError> {
+    match settings.depth {
+        args::DepthFormat::D32 => render_as::<D32>(clip, indices, settings),
+        args::DepthFormat::D16 => render_as::<D16>(clip, indices, settings),
+    }
+}
+
+fn render_as<D: DepthFormat<Standard>>(
+    clip: &[[f32; 4]],
+    indices: &[u32],
+    settings: &Settings,
+) -> Result<Picture, RenderError> {
+    let region = settings.region;
+    let (width, height) = (region.width(), region.height());
+    let tiled = texels(width, height);
+    let mut depth_texels = vec![D::FAR; tiled];
+    let mut id_texels = vec![halfplane::NO_ID; tiled];
+    let mut depth = Depth::<Standard, D>::new(region, &mut depth_texels, DepthTest::LESS)?;
+    let mut ids = Ids::new(region, &mut id_texels)?;
+    let positions = ClipPositions::new(clip, Viewport::new(region));
+    let statistics = draw(&positions, indices, 0, &settings.state(), &mut (&mut depth, &mut ids))?;
+
+    let pixels = width as usize * height as usize;
+    let mut depth_rows = vec![D::FAR; pixels];
+    depth.to_linear(&mut depth_rows)?;
+    let mut id_rows = vec![halfplane::NO_ID; pixels];
+    ids.to_linear(&mut id_rows)?;
+    Ok(Picture {
+        width,
+        height,
+        bits: D::BITS,
+        depth: depth_rows.into_iter().map(Into::into).collect(),
+        ids: id_rows,
+        statistics,
+    })
+}
+
+impl Picture {
+    /// The depth of a pixel where nothing was drawn.
+    #[must_use]
+    pub fn far(&self) -> u32 {
+        u32::MAX >> (32 - self.bits)
+    }
+}
+
+impl fmt::Display for RenderError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Region(error) => error.fmt(f),
+            Self::Storage(error) => error.fmt(f),
+            Self::Draw(error) => error.fmt(f),
+            Self::Verify(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for RenderError {}
+
+impl From<RegionError> for RenderError {
+    fn from(error: RegionError) -> Self {
+        Self::Region(error)
+    }
+}
+
+impl From<StorageError> for RenderError {
+    fn from(error: StorageError) -> Self {
+        Self::Storage(error)
+    }
+}
+
+impl From<DrawError> for RenderError {
+    fn from(error: DrawError) -> Self {
+        Self::Draw(error)
+    }
+}
+
+impl From<halfplane_reference::VerifyError> for RenderError {
+    fn from(error: halfplane_reference::VerifyError) -> Self {
+        Self::Verify(error)
+    }
+}

@@ -1,0 +1,116 @@
+//! A picture against the exact reference: every pixel, and the vertices of the transform.
+
+mod transform;
+
+use halfplane::{Assembly, ClipPositions, Cull, NO_ID, Positions, Standard, Viewport, Winding};
+use halfplane_reference::{
+    Compare, DepthSpec, Report, Scene, SceneTriangle, render as reference_render, verify, z16_from_z32,
+};
+
+use crate::args::DepthFormat;
+use crate::render::{Picture, RenderError, Settings};
+
+pub use transform::{Displacement, displacement};
+
+/// The window triangles of a draw, in its order, as the reference takes them; and which triangles of
+/// the mesh were drawn without clipping.
+#[must_use]
+pub fn assemble(clip: &[[f32; 4]], indices: &[u32], settings: &Settings) -> (Scene, Vec<Whole>) {
+    let region = settings.region;
+    let positions = ClipPositions::new(clip, Viewport::<Standard>::new(region));
+    let mut scene = Scene {
+        width: region.width(),
+        height: region.height(),
+        subpixel_bits: <Standard as halfplane::Format>::SUBPIXEL_BITS,
+        sample: (128, 128),
+        triangles: Vec::new(),
+    };
+    let mut whole = Vec::new();
+    for (id, corners) in (0..).zip(indices.chunks_exact(3)) {
+        let corners = [0, 1, 2].map(|k| corners[k] as usize);
+        let mut last = None;
+        let assembly = positions.assemble(corners, |vertices| {
+            let xy = vertices.map(|vertex| [vertex.x(), vertex.y()]);
+            last = Some(xy);
+            if culled(xy, settings) {
+                return;
+            }
+            let z = vertices.map(|vertex| match settings.depth {
+                DepthFormat::D32 => vertex.z(),
+                DepthFormat::D16 => u32::from(z16_from_z32(vertex.z())),
+            });
+            scene.triangles.push(SceneTriangle { xy, z, id });
+        });
+        if let (Assembly::Whole, Some(xy)) = (assembly, last) {
+            whole.push(Whole { corners, xy });
+        }
+    }
+    (scene, whole)
+}
+
+/// A triangle that reached the window as it was: its vertices in the mesh and in the window.
+#[derive(Debug, Clone, Copy)]
+pub struct Whole {
+    /// Vertex numbers.
+    pub corners: [usize; 3],
+    /// Snapped positions in sub-pixel steps.
+    pub xy: [[i32; 2]; 3],
+}
+
+/// Whether a window triangle faces the culled way, from its definition: clockwise on the y-down screen
+/// is a positive area.
+fn culled([a, b, c]: [[i32; 2]; 3], settings: &Settings) -> bool {
+    let delta = |p: [i32; 2]| [0, 1].map(|k| i64::from(p[k]) - i64::from(a[k]));
+    let ([bx, by], [cx, cy]) = (delta(b), delta(c));
+    let area = i128::from(bx) * i128::from(cy) - i128::from(by) * i128::from(cx);
+    let front = match settings.front {
+        Winding::Clockwise => area > 0,
+        Winding::CounterClockwise => area < 0,
+    };
+    match settings.cull {
+        Cull::None => false,
+        Cull::Back => !front,
+        Cull::Front => front,
+    }
+}
+
+/// Compares every pixel; `progress` is called with the number of pixels newly done.
+///
+/// # Errors
+///
+/// [`RenderError::Verify`] where the reference refuses the scene.
+pub fn compare(
+    scene: &Scene,
+    picture: &Picture,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Report, RenderError> {
+    let ids = Some(picture.ids.as_slice());
+    Ok(verify(scene, Compare::Less, spec(picture), &picture.depth, ids, progress)?)
+}
+
+/// A picture of the pixels that differ from the reference: red where the coverage does, yellow where
+/// the id does, blue where only the depth does, on a dim picture of what was drawn.
+///
+/// # Errors
+///
+/// [`RenderError::Verify`] where the reference refuses the scene.
+pub fn difference(scene: &Scene, picture: &Picture) -> Result<Vec<[u8; 3]>, RenderError> {
+    let exact = reference_render(scene, Compare::Less, spec(picture), &|_| ())
+        .map_err(|error| RenderError::Verify(error.into()))?;
+    let drawn = picture.ids.iter().zip(&picture.depth);
+    let specified = exact.ids.iter().zip(&exact.depth);
+    Ok(drawn
+        .zip(specified)
+        .map(|((&id, &depth), (&exact_id, &exact_depth))| match () {
+            () if (id == NO_ID) != (exact_id == NO_ID) => [255, 40, 40],
+            () if id != exact_id => [255, 220, 0],
+            () if depth != exact_depth => [60, 120, 255],
+            () if id == NO_ID => [12, 12, 12],
+            () => [48, 48, 48],
+        })
+        .collect())
+}
+
+fn spec(picture: &Picture) -> DepthSpec {
+    if picture.bits == 32 { DepthSpec::D32 } else { DepthSpec::D16 }
+}
