@@ -102,3 +102,36 @@ impl Walk {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+    use proptest::test_runner::Config;
+
+    use super::*;
+
+    proptest! {
+        #![proptest_config(Config { failure_persistence: None, ..Config::default() })]
+
+        #[test]
+        fn a_walk_is_the_plane_at_every_step(
+            xy in any::<[[i32; 2]; 3]>(), small in 0..31_u32, z in any::<[u32; 3]>(), flat in 0..31_u32,
+            bits in 0..9_u32, at in any::<(u32, u32)>(),
+        ) {
+            // Small ones make remainders that are often 0, where a carry is decided.
+            let xy = xy.map(|corner| corner.map(|v| v >> small));
+            let z = z.map(|z| z >> flat);
+            let grid = Grid::new(bits, (0, 0)).unwrap();
+            let Some(plane) = ExactPlane::new(&xy, &z, grid) else { return Ok(()) };
+            let (x, y) = (at.0 >> 16, at.1 >> 16);
+            let mut walk = plane.walk(x, y);
+            for x in x..x + 20 {
+                let depth = plane.at(x, y);
+                prop_assert_eq!(walk.whole(), depth.floor());
+                let rest = Fraction::new(depth.numerator() - depth.floor() * depth.denominator(), depth.denominator());
+                prop_assert_eq!(Some(walk.rest()), rest);
+                walk.advance();
+            }
+        }
+    }
+}
