@@ -165,7 +165,7 @@ fn kinds(change: impl Fn(&mut u32, &mut u32), x: u32) -> Mismatches {
     let report = judge(|picture| change(&mut picture.depth[i], &mut picture.ids[i]));
     let first = report.first.expect("a difference");
     assert_eq!((first.x, first.y), (x, 2));
-    assert_eq!(first.kinds, report.mismatches);
+    assert_eq!((first.kinds, report.covered), (report.mismatches, 800));
     assert!(!report.identical());
     report.mismatches
 }
@@ -217,14 +217,22 @@ fn the_first_difference_is_the_first_in_row_major_order_and_all_are_counted() {
 
 #[test]
 fn a_piece_is_found_by_the_id_it_shares() {
-    // Both halves of every layer have one id: a wrong id over the second half needs the second piece.
-    let i = 38 * 40 + 18;
-    let report = judge(|picture| (picture.depth[i], picture.ids[i]) = (1_100, 4));
-    assert_eq!(
-        report.mismatches,
-        Mismatches { pixels: 1, id: 1, depth: 1, winner: 1, ..Mismatches::default() }
-    );
-    assert_eq!(report.measured, 800);
+    // Id 4 has a piece on the left half at 1100, two on the right half, at 1200 and 1300.
+    let (mut scene, picture) = layers();
+    let extra = scene.triangles[1];
+    scene.triangles[1].z = [1_200; 3];
+    scene.triangles.push(SceneTriangle { z: [1_300; 3], ..extra });
+    let judge = |x: usize, y: usize, value| {
+        let (mut depth, mut ids) = (picture.depth.clone(), picture.ids.clone());
+        (depth[y * 40 + x], ids[y * 40 + x]) = (value, 4);
+        verify(&scene, Compare::Less, DepthSpec::D32, &depth, Some(&ids), &|_| ()).unwrap()
+    };
+    let wrong_id = Mismatches { pixels: 1, id: 1, depth: 1, winner: 1, ..Mismatches::default() };
+    for (x, y, value) in [(1, 35, 1_100), (18, 35, 1_200), (18, 35, 1_300)] {
+        let report = judge(x, y, value);
+        assert_eq!((report.mismatches, report.measured, report.max_error), (wrong_id, 800, 0.0));
+    }
+    assert_eq!(judge(18, 35, 1_100).mismatches, Mismatches { bound: 1, ..wrong_id });
 }
 
 #[test]
