@@ -67,8 +67,7 @@ pub fn run_verify(file: Option<&Path>, options: &Options) -> Result<bool, Error>
     let pixels = started.elapsed();
     let started = Instant::now();
     let size = (picture.width, picture.height);
-    let moved =
-        verify::displacement(&subject.mesh, matrix, clip, &whole, size, Standard::SUBPIXEL_BITS);
+    let moved = verify::displacement(&subject.mesh, matrix, clip, &whole, size, Standard::SUBPIXEL_BITS);
     let vertices = started.elapsed();
 
     let mut text = String::new();

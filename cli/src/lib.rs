@@ -65,7 +65,9 @@ fn execute(cli: Cli) -> Result<bool, Error> {
     match cli.command {
         None => command::run_render(None, &cli.options)?,
         Some(Command::Render(picture)) => command::run_render(picture.file.as_deref(), &picture.options)?,
-        Some(Command::Verify(picture)) => return command::run_verify(picture.file.as_deref(), &picture.options),
+        Some(Command::Verify(picture)) => {
+            return command::run_verify(picture.file.as_deref(), &picture.options);
+        }
         Some(Command::Coverage) => protocol::coverage(io::stdin().lock(), output())?,
         Some(Command::Depth) => protocol::depth(io::stdin().lock(), output())?,
     }

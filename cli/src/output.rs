@@ -110,10 +110,8 @@ struct Folder {
 impl Folder {
     fn make(path: &Path) -> Result<Self, OutputError> {
         let made = (!path.exists()).then(|| path.to_owned());
-        fs::create_dir_all(path).map_err(|error| OutputError {
-            path: path.to_owned(),
-            problem: Problem::Folder(error),
-        })?;
+        fs::create_dir_all(path)
+            .map_err(|error| OutputError { path: path.to_owned(), problem: Problem::Folder(error) })?;
         Ok(Self { made })
     }
 
@@ -136,13 +134,19 @@ impl fmt::Display for OutputError {
         let path = self.path.display();
         match &self.problem {
             Problem::Folder(error) => {
-                write!(f, "cannot make the output folder {path}: {error}; --out takes a folder that exists or can be made")
+                write!(
+                    f,
+                    "cannot make the output folder {path}: {error}; --out takes a folder that exists or can be made"
+                )
             }
             Problem::IsFolder => {
                 write!(f, "cannot write {path}: a folder has that name; move it or choose another --out")
             }
             Problem::Write(error) => {
-                write!(f, "cannot write {path}: {error}; --out takes a folder with room that may be written to")
+                write!(
+                    f,
+                    "cannot write {path}: {error}; --out takes a folder with room that may be written to"
+                )
             }
             Problem::Print(error) => write!(f, "cannot write to {path}: {error}"),
         }

@@ -67,9 +67,8 @@ impl Settings {
 #[must_use]
 pub fn to_clip(mesh: &Mesh, matrix: &Matrix) -> Vec<[f32; 4]> {
     let m = matrix;
-    let point = |&[x, y, z]: &[f32; 3]| {
-        std::array::from_fn(|k| x * m[k] + y * m[4 + k] + z * m[8 + k] + m[12 + k])
-    };
+    let point =
+        |&[x, y, z]: &[f32; 3]| std::array::from_fn(|k| x * m[k] + y * m[4 + k] + z * m[8 + k] + m[12 + k]);
     mesh.positions.iter().map(point).collect()
 }
 

@@ -46,10 +46,8 @@ impl Named {
         hand: Hand,
         size: (u32, u32),
     ) -> Result<Matrix, CameraError> {
-        let changed = request.fov.is_some()
-            || request.near.is_some()
-            || request.far.is_some()
-            || request.up.is_some();
+        let changed =
+            request.fov.is_some() || request.near.is_some() || request.far.is_some() || request.up.is_some();
         let ready = self.matrices.iter().find(|(of, _)| *of == size);
         if let (Some((_, ready)), false) = (ready, changed) {
             return Ok(*ready);
@@ -75,8 +73,8 @@ impl Named {
 /// [`CameraError::NoFile`] or [`CameraError::Line`].
 pub fn beside(model: &Path) -> Result<Vec<Named>, CameraError> {
     let path = file_of(model);
-    let text = fs::read_to_string(&path)
-        .map_err(|error| CameraError::NoFile { path: path.clone(), error })?;
+    let text =
+        fs::read_to_string(&path).map_err(|error| CameraError::NoFile { path: path.clone(), error })?;
     parse(&text).map_err(|(line, expected)| CameraError::Line { path, line, expected })
 }
 
@@ -99,11 +97,7 @@ fn parse(text: &str) -> Result<Vec<Named>, (usize, &'static str)> {
     Ok(cameras)
 }
 
-fn entry(
-    camera: &mut Named,
-    key: &str,
-    mut words: SplitWhitespace<'_>,
-) -> Result<(), &'static str> {
+fn entry(camera: &mut Named, key: &str, mut words: SplitWhitespace<'_>) -> Result<(), &'static str> {
     match key {
         "eye" => camera.eye = Some(point(words).ok_or("\"eye\" and three numbers")?),
         "dir" => camera.forward = Some(point(words).ok_or("\"dir\" and three numbers")?),

@@ -134,12 +134,7 @@ pub fn choose(
 }
 
 /// A camera from an eye point, or one that frames the mesh.
-fn free(
-    request: &Request,
-    mesh: &Mesh,
-    hand: Hand,
-    size: (u32, u32),
-) -> Result<Matrix, CameraError> {
+fn free(request: &Request, mesh: &Mesh, hand: Hand, size: (u32, u32)) -> Result<Matrix, CameraError> {
     let up = request.up.unwrap_or(DVec3::Y);
     let fov = request.fov.unwrap_or(DEFAULT_FOV).to_radians();
     let (view, (near, far)) = match (request.eye, request.target) {

@@ -93,9 +93,11 @@ impl Reader {
             let index = first.and_then(|first| first.checked_add(index)).ok_or_else(too_large)?;
             self.mesh.indices.push(index);
         }
-        self.mesh.positions.extend(points.iter().map(|&point| {
-            place.transform_point3(DVec3::from(point.map(f64::from))).as_vec3().to_array()
-        }));
+        self.mesh.positions.extend(
+            points
+                .iter()
+                .map(|&point| place.transform_point3(DVec3::from(point.map(f64::from))).as_vec3().to_array()),
+        );
         Ok(())
     }
 

@@ -8,12 +8,8 @@ use super::{Problem, not_finite, one_line};
 
 /// Reads a whole file.
 pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, Problem> {
-    let options = LoadOptions {
-        triangulate: true,
-        ignore_points: true,
-        ignore_lines: true,
-        ..LoadOptions::default()
-    };
+    let options =
+        LoadOptions { triangulate: true, ignore_points: true, ignore_lines: true, ..LoadOptions::default() };
     // Colours come from the program's own clay: no material library is opened.
     let no_materials = |_: &std::path::Path| Ok(Default::default());
     let mut reader = bytes;
@@ -36,10 +32,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, Problem> {
 }
 
 fn malformed(error: tobj::LoadError) -> Problem {
-    Problem::Malformed {
-        at: "not a well-formed OBJ file".to_owned(),
-        expected: one_line(error),
-    }
+    Problem::Malformed { at: "not a well-formed OBJ file".to_owned(), expected: one_line(error) }
 }
 
 /// The line of the first `v` that is not three finite numbers or `f` that names a vertex which is
@@ -69,11 +62,7 @@ fn locate(bytes: &[u8]) -> Option<Problem> {
     })
 }
 
-fn bad_vertex<'a>(
-    at: String,
-    line: &str,
-    words: impl Iterator<Item = &'a str>,
-) -> Option<Problem> {
+fn bad_vertex<'a>(at: String, line: &str, words: impl Iterator<Item = &'a str>) -> Option<Problem> {
     let numbers: Option<Vec<f32>> = words.take(3).map(|word| word.parse().ok()).collect();
     match numbers.as_deref() {
         Some(&[x, y, z]) if [x, y, z].iter().all(|c| c.is_finite()) => None,

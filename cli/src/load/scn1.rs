@@ -9,11 +9,7 @@ const HEADER: usize = 12;
 
 /// Reads a whole file.
 pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, Problem> {
-    let length = |needed, of: &str| Problem::Length {
-        given: bytes.len() as u64,
-        needed,
-        of: of.to_owned(),
-    };
+    let length = |needed, of: &str| Problem::Length { given: bytes.len() as u64, needed, of: of.to_owned() };
     let Some((header, body)) = bytes.split_at_checked(HEADER) else {
         return Err(length(HEADER as u64, "an SCN1 header"));
     };
@@ -21,10 +17,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, Problem> {
     let (vertices, indices) = (header[1], header[2]);
     let needed = HEADER as u64 + 12 * u64::from(vertices) + 4 * u64::from(indices);
     if bytes.len() as u64 != needed {
-        return Err(length(
-            needed,
-            &format!("an SCN1 file of {vertices} vertices and {indices} indices"),
-        ));
+        return Err(length(needed, &format!("an SCN1 file of {vertices} vertices and {indices} indices")));
     }
     let (positions, triangles) = body.split_at(12 * vertices as usize);
     let positions = positions

@@ -58,7 +58,7 @@ impl Light {
                 let low = DVec3::new(0.98, 0.50, 0.26);
                 let middle = DVec3::new(0.60, 0.44, 0.50);
                 let high = DVec3::new(0.10, 0.18, 0.40);
-                let sky = low.lerp(middle, ramp(0.0, 0.16, t)).lerp(high, ramp(0.06, 0.62, t));
+                let sky = low.lerp(middle, ramp(0.0, 0.34, t)).lerp(high, ramp(0.12, 0.72, t));
                 // Warmer towards the side where the sun is.
                 let side = (towards.dot(self.sun) * 0.5 + 0.5).max(0.0);
                 let glow = side * side * side;

@@ -120,7 +120,8 @@ impl Shader<'_> {
         let normal = if normal.dot(towards) > 0.0 { -normal } else { normal };
         // Seen edge-on a plane can be met anywhere; the triangle itself is between its corners.
         let reach = corners.map(|corner| (corner - origin).dot(towards));
-        let (near, far) = reach.iter().fold((f64::MAX, f64::MIN), |(near, far), &r| (near.min(r), far.max(r)));
+        let (near, far) =
+            reach.iter().fold((f64::MAX, f64::MIN), |(near, far), &r| (near.min(r), far.max(r)));
         let met = normal.dot(a - origin) / normal.dot(towards);
         let distance = if met.is_finite() { met.clamp(near, far) } else { near };
         Some(Hit { point: origin + towards * distance, normal, distance: distance.max(0.0) })
@@ -136,7 +137,9 @@ fn ripple(point: DVec3) -> f64 {
     };
     let DVec3 { x, z, .. } = point;
     let bend = fold(0.021 * x + 0.034 * z) * 0.9;
-    (fold(0.09 * x + 0.61 * z + bend) + 0.7 * fold(0.33 * x - 0.87 * z + 2.0 * bend) + 0.5 * fold(1.3 * z - 0.7 * x))
+    (fold(0.09 * x + 0.61 * z + bend)
+        + 0.7 * fold(0.33 * x - 0.87 * z + 2.0 * bend)
+        + 0.5 * fold(1.3 * z - 0.7 * x))
         / 2.2
 }
 

@@ -1,9 +1,7 @@
 //! Shadows: the rasterizer's own depth buffers, seen from the sun.
 
 use glam::DVec3;
-use halfplane::{
-    ClipPositions, Depth, DepthTest, Region, Standard, State, Viewport, draw, texels,
-};
+use halfplane::{ClipPositions, Depth, DepthTest, Region, Standard, State, Viewport, draw, texels};
 
 use crate::camera::{Hand, View};
 use crate::mesh::Mesh;

@@ -136,7 +136,7 @@ mod tests {
 
     #[test]
     fn rows_are_padded_to_bytes() {
-        let whole = [[-100, -100, 100, -100, -100, 100]];
+        let whole = [[-100, -100, 200, -100, -100, 200]];
         assert_eq!(answer(&request([10, 2], 0, &[[128, 128]], &whole)).unwrap(), [255, 3, 255, 3]);
     }
 

@@ -45,8 +45,8 @@ pub fn depth(input: impl Read, mut output: impl Write) -> Result<(), ProtocolErr
 
     let test = DepthTest { compare: Compare::Always, write: true };
     let mut storage = vec![0; texels(width, height)];
-    let mut target = Depth::<Standard>::new(region, &mut storage, test)
-        .expect("the storage was made for the region");
+    let mut target =
+        Depth::<Standard>::new(region, &mut storage, test).expect("the storage was made for the region");
     let mut rows = vec![0; width as usize * height as usize];
     let mut bytes = Vec::with_capacity(4 * rows.len());
     for vertices in triangles {
@@ -86,7 +86,8 @@ mod tests {
         // z = 1000 + 100 x + 10 y at pixel corners; at centres half of each more.
         let front = [[0, 0, 1000], [4, 0, 1400], [0, 4, 1040]];
         let back = [front[0], front[2], front[1]];
-        let expected = [1055, 1155, 1255, NONE, 1065, 1165, NONE, NONE, 1075, NONE, NONE, NONE, NONE, NONE, NONE, NONE];
+        let expected =
+            [1055, 1155, 1255, NONE, 1065, 1165, NONE, NONE, 1075, NONE, NONE, NONE, NONE, NONE, NONE, NONE];
         let got = answer(&request([4, 4], 0, &[front, back, [front[0]; 3]])).unwrap();
         assert_eq!(got, [expected, expected, [NONE; 16]].concat());
     }

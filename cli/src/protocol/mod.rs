@@ -60,20 +60,29 @@ impl fmt::Display for ProtocolError {
         let protocol = self.protocol;
         match &self.problem {
             Problem::Magic => {
-                write!(f, "standard input is no {protocol} request: it must begin with the bytes \"{protocol}\"")
+                write!(
+                    f,
+                    "standard input is no {protocol} request: it must begin with the bytes \"{protocol}\""
+                )
             }
             Problem::Truncated { part, given, needed } => write!(
                 f,
                 "standard input ends within the {part} of a {protocol} request: {given} bytes of {needed}"
             ),
-            Problem::Read(error) => write!(f, "cannot read the {protocol} request from standard input: {error}"),
-            Problem::Write(error) => write!(f, "cannot write the {protocol} answer to standard output: {error}"),
+            Problem::Read(error) => {
+                write!(f, "cannot read the {protocol} request from standard input: {error}")
+            }
+            Problem::Write(error) => {
+                write!(f, "cannot write the {protocol} answer to standard output: {error}")
+            }
             Problem::Size { width, height } => write!(
                 f,
                 "a {protocol} picture of {width}x{height}: both sides must be 1 to {}",
                 Standard::MAX_TARGET
             ),
-            Problem::NoSamples => write!(f, "a {protocol} request with 0 sample positions: it needs at least 1"),
+            Problem::NoSamples => {
+                write!(f, "a {protocol} request with 0 sample positions: it needs at least 1")
+            }
             Problem::SubpixelBits(bits) => {
                 write!(f, "a {protocol} request with {bits} sub-pixel bits: it must be at most 8")
             }

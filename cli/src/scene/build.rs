@@ -77,7 +77,7 @@ impl Builder {
         self.face([a, c, d], surface);
     }
 
-    /// An axis-aligned box without its underside, which never shows.
+    /// An axis-aligned box.
     pub(super) fn block(&mut self, min: DVec3, max: DVec3, surface: u8) {
         let p = |x: usize, y: usize, z: usize| {
             let ends = [min, max];
@@ -88,6 +88,7 @@ impl Builder {
         self.quad([p(1, 0, 1), p(1, 1, 1), p(0, 1, 1), p(0, 0, 1)], surface);
         self.quad([p(0, 0, 1), p(0, 1, 1), p(0, 1, 0), p(0, 0, 0)], surface);
         self.quad([p(1, 0, 0), p(1, 1, 0), p(1, 1, 1), p(1, 0, 1)], surface);
+        self.quad([p(0, 0, 1), p(0, 0, 0), p(1, 0, 0), p(1, 0, 1)], surface);
     }
 
     /// A solid turned about the vertical through `base`: `profile` lists radius and height from the
@@ -114,8 +115,8 @@ impl Builder {
             if let Some(below) = &below {
                 for k in 0..ring.len() {
                     let next = (k + 1) % ring.len();
-                    self.face([below[k], below[next], ring[next]], surface);
-                    self.face([below[k], ring[next], ring[k]], surface);
+                    self.face([below[k], ring[next], below[next]], surface);
+                    self.face([below[k], ring[k], ring[next]], surface);
                 }
             }
             below = Some(ring);
@@ -125,7 +126,7 @@ impl Builder {
         {
             let hub = self.vertex(base + DVec3::new(0.0, height, 0.0));
             for k in 0..ring.len() {
-                self.face([hub, ring[k], ring[(k + 1) % ring.len()]], surface);
+                self.face([hub, ring[(k + 1) % ring.len()], ring[k]], surface);
             }
         }
     }
@@ -181,15 +182,30 @@ impl Builder {
                 s,
             );
             self.quad(
-                [corner(0, outer, depth), corner(1, outer, depth), corner(1, inner, depth), corner(0, inner, depth)],
+                [
+                    corner(0, outer, depth),
+                    corner(1, outer, depth),
+                    corner(1, inner, depth),
+                    corner(0, inner, depth),
+                ],
                 s,
             );
             self.quad(
-                [corner(0, inner, depth), corner(1, inner, depth), corner(1, inner, 0.0), corner(0, inner, 0.0)],
+                [
+                    corner(0, inner, depth),
+                    corner(1, inner, depth),
+                    corner(1, inner, 0.0),
+                    corner(0, inner, 0.0),
+                ],
                 s,
             );
             self.quad(
-                [corner(0, outer, 0.0), corner(1, outer, 0.0), corner(1, outer, depth), corner(0, outer, depth)],
+                [
+                    corner(0, outer, 0.0),
+                    corner(1, outer, 0.0),
+                    corner(1, outer, depth),
+                    corner(0, outer, depth),
+                ],
                 s,
             );
         }

@@ -12,6 +12,9 @@ pub(super) const ISLAND_TOP: f64 = 6.2;
 /// The middle of the island and its reach along x and z.
 const ISLAND: (DVec3, f64, f64) = (DVec3::new(27.0, 0.0, 104.0), 44.0, 34.0);
 
+/// How far the land reaches to the sides, as a part of how far it is away.
+const FAN: f64 = 1.6;
+
 /// Two triangles of eighteen kilometres: in front of the camera, under it and behind it.
 pub(super) fn lake(scene: &mut Builder) {
     let far = 9000.0;
@@ -26,21 +29,21 @@ fn land(x: f64, z: f64) -> f64 {
     let bend = 0.16 * z + 40.0 * hills(z / 420.0, 3.7, 2, 11);
     let side = (x - bend).abs() / (150.0 + 0.26 * z.max(0.0));
     let shore = smooth(0.72, 2.3, side).max(smooth(900.0, 2300.0, z));
-    let steep = 60.0 + 700.0 * smooth(400.0, 3000.0, distance);
-    let crests = ridges(x / 640.0 + 1.3, z / 640.0, 6, 21);
+    let steep = 55.0 + 620.0 * smooth(350.0, 3600.0, distance);
+    let crests = ridges(x / 1250.0 + 1.3, z / 1250.0, 6, 21);
     let rough = hills(x / 90.0, z / 90.0, 4, 31);
-    let rise = shore * steep * (0.25 + 1.25 * crests * crests) + shore * 12.0 * rough;
+    let rise = shore * steep * (0.12 + 1.3 * crests * crests) + shore * 12.0 * rough;
     -7.0 + rise + 3.0 * rough + 9.0 * smooth(0.55, 1.0, side)
 }
 
 /// Mountains on three sides: a fan of rows, each farther than the one before by the same factor, so
 /// that the triangles shrink to a few pixels and, behind the crests, to none.
 pub(super) fn mountains(scene: &mut Builder) {
-    let (columns, rows) = (250, 112);
+    let (columns, rows) = (200, 150);
     let point = |i: u32, j: u32| {
         let across = f64::from(i) / f64::from(columns) * 2.0 - 1.0;
-        let distance = 118.0 * power(1.0335, j);
-        let (x, z) = (across * 1.35 * distance, distance);
+        let distance = 118.0 * power(1.0245, j);
+        let (x, z) = (across * FAN * distance, distance);
         let jitter = distance * 0.006;
         let (a, b) = (unit(i as i32, j as i32, 41) - 0.5, unit(i as i32, j as i32, 42) - 0.5);
         let (x, z) = (x + a * jitter, z + b * jitter);
@@ -144,7 +147,7 @@ pub(super) fn village(scene: &mut Builder) {
         let slope = (land(x + 4.0, z) - y).abs() + (land(x, z + 4.0) - y).abs();
         // Close together in a few places.
         let place = hills(x / 130.0, z / 130.0, 2, 72);
-        if !(2.0..34.0).contains(&y) || slope > 4.0 || place < 0.16 {
+        if !(2.0..34.0).contains(&y) || slope > 4.0 || place < 0.16 || x.abs() > FAN * z {
             continue;
         }
         let turn = unit(k, 2, 71) * 2.0 - 1.0;
@@ -171,7 +174,10 @@ fn house(scene: &mut Builder, seed: i32) {
     scene.quad([p(-rx, -0.3, -rz), p(-rx, ridge, 0.0), p(rx, ridge, 0.0), p(rx, -0.3, -rz)], roof);
     scene.quad([p(rx, -0.3, rz), p(rx, ridge, 0.0), p(-rx, ridge, 0.0), p(-rx, -0.3, rz)], roof);
     scene.triangle([p(half_x, 0.0, -half_z), p(half_x, ridge, 0.0), p(half_x, 0.0, half_z)], paint::PLASTER);
-    scene.triangle([p(-half_x, 0.0, half_z), p(-half_x, ridge, 0.0), p(-half_x, 0.0, -half_z)], paint::PLASTER);
+    scene.triangle(
+        [p(-half_x, 0.0, half_z), p(-half_x, ridge, 0.0), p(-half_x, 0.0, -half_z)],
+        paint::PLASTER,
+    );
     for window in 0..3 {
         if unit(seed, window, 74) < 0.55 {
             let x = half_x * (f64::from(window) - 1.0) * 0.6;
@@ -189,7 +195,7 @@ pub(super) fn woods(scene: &mut Builder) {
         let z = 130.0 + 1100.0 * unit(k, 0, 81) * unit(k, 3, 81);
         let x = (unit(k, 1, 81) * 2.0 - 1.0) * (110.0 + 0.9 * z);
         let y = land(x, z);
-        if !(1.8..150.0).contains(&y) || hills(x / 60.0, z / 60.0, 3, 53) < -0.08 {
+        if !(1.8..150.0).contains(&y) || hills(x / 60.0, z / 60.0, 3, 53) < -0.08 || x.abs() > FAN * z {
             continue;
         }
         let height = 5.0 + 9.0 * unit(k, 2, 81);
@@ -207,8 +213,9 @@ pub(super) fn woods(scene: &mut Builder) {
 
 /// Sailing boats on the lake.
 pub(super) fn boats(scene: &mut Builder) {
-    for (k, (x, z, turn)) in
-        [(-22.0, 66.0, 0.3), (-64.0, 150.0, -0.4), (4.0, 205.0, 0.5), (78.0, 92.0, -0.2)].into_iter().enumerate()
+    for (k, (x, z, turn)) in [(-22.0, 66.0, 0.3), (-64.0, 150.0, -0.4), (4.0, 205.0, 0.5), (78.0, 92.0, -0.2)]
+        .into_iter()
+        .enumerate()
     {
         scene.at(Frame::new(DVec3::new(x, 0.0, z), (1.0, turn)));
         let p = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);

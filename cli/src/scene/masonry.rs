@@ -17,7 +17,8 @@ pub(super) fn column(scene: &mut Builder, base: DVec3, height: f64, radius: f64,
         .collect();
     scene.turned(base, &profile, detail, 0.93, stone);
     let neck = radius * 0.8;
-    let echinus = [(neck, shaft), (radius * 1.02, shaft + 0.25 * radius), (radius * 1.18, shaft + 0.5 * radius)];
+    let echinus =
+        [(neck, shaft), (radius * 1.02, shaft + 0.25 * radius), (radius * 1.18, shaft + 0.5 * radius)];
     scene.turned(base, &echinus, detail / 2, 1.0, stone);
     let half = radius * 1.22;
     scene.block(
@@ -52,8 +53,16 @@ pub(super) fn balustrade(scene: &mut Builder, from: DVec3, to: DVec3) {
         if k == posts {
             break;
         }
-        scene.block(DVec3::new(x + 0.2, 0.0, -0.15), DVec3::new(x + spacing - 0.2, 0.1, 0.15), paint::SANDSTONE);
-        scene.block(DVec3::new(x + 0.2, 0.9, -0.17), DVec3::new(x + spacing - 0.2, 1.04, 0.17), paint::MARBLE_WORN);
+        scene.block(
+            DVec3::new(x + 0.2, 0.0, -0.15),
+            DVec3::new(x + spacing - 0.2, 0.1, 0.15),
+            paint::SANDSTONE,
+        );
+        scene.block(
+            DVec3::new(x + 0.2, 0.9, -0.17),
+            DVec3::new(x + spacing - 0.2, 1.04, 0.17),
+            paint::MARBLE_WORN,
+        );
         let count = 7;
         for b in 0..count {
             let x = x + 0.2 + (spacing - 0.4) * (f64::from(b) + 0.5) / f64::from(count);
@@ -85,11 +94,7 @@ pub(super) fn bridge(scene: &mut Builder, from: DVec3, to: DVec3) {
     let deck = spring + radius + 1.1;
     for k in 0..=arches {
         let x = span * f64::from(k);
-        scene.block(
-            DVec3::new(x - pier, -3.0, 0.0),
-            DVec3::new(x + pier, spring, depth),
-            paint::SANDSTONE,
-        );
+        scene.block(DVec3::new(x - pier, -3.0, 0.0), DVec3::new(x + pier, spring, depth), paint::SANDSTONE);
         // The cutwater.
         let (tip, back) = (DVec3::new(x, 0.0, -1.6), DVec3::new(0.0, 0.0, 0.0));
         let (l, r) = (DVec3::new(x - pier, 0.0, 0.0), DVec3::new(x + pier, 0.0, 0.0));
@@ -117,14 +122,7 @@ pub(super) fn bridge(scene: &mut Builder, from: DVec3, to: DVec3) {
 }
 
 /// The wall beside and above an arch, up to `top`, on both faces.
-pub(super) fn spandrels(
-    scene: &mut Builder,
-    centre: DVec3,
-    radius: f64,
-    half: f64,
-    top: f64,
-    depth: f64,
-) {
+pub(super) fn spandrels(scene: &mut Builder, centre: DVec3, radius: f64, half: f64, top: f64, depth: f64) {
     let steps = 16;
     let at = |k: u32| {
         // Evenly over the half circle, and on to the ends of the bay beyond its feet.

@@ -111,9 +111,9 @@ pub fn cameras() -> Vec<Named> {
         matrices: Vec::new(),
     };
     vec![
-        camera(CAMERA, DVec3::new(1.5, 7.6, -2.5), DVec3::new(9.0, 8.1, 60.0), 0.78, 0.25),
-        camera("temple", DVec3::new(2.0, 13.0, 66.0), DVec3::new(26.0, 12.5, 104.0), 0.80, 0.25),
-        camera("aerial", DVec3::new(-70.0, 95.0, -60.0), DVec3::new(40.0, 0.0, 120.0), 0.85, 1.0),
+        camera(CAMERA, DVec3::new(1.5, 9.4, -0.5), DVec3::new(10.0, 7.4, 60.0), 0.80, 0.25),
+        camera("temple", DVec3::new(14.0, 12.0, 60.0), DVec3::new(27.0, 11.5, 104.0), 0.80, 0.25),
+        camera("aerial", DVec3::new(-12.0, 62.0, -62.0), DVec3::new(30.0, 6.0, 125.0), 0.66, 1.0),
     ]
 }
 
@@ -124,9 +124,9 @@ mod tests {
     /// FNV-1a over the bits of every position and index: a change here changes every picture.
     fn fingerprint(mesh: &Mesh) -> u64 {
         let words = mesh.positions.iter().flatten().map(|c| c.to_bits());
-        words.chain(mesh.indices.iter().copied()).fold(0xcbf2_9ce4_8422_2325, |hash, word| {
-            (hash ^ u64::from(word)).wrapping_mul(0x100_0000_01b3)
-        })
+        words
+            .chain(mesh.indices.iter().copied())
+            .fold(0xcbf2_9ce4_8422_2325, |hash, word| (hash ^ u64::from(word)).wrapping_mul(0x100_0000_01b3))
     }
 
     #[test]

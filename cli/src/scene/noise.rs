@@ -36,24 +36,24 @@ fn value(x: f64, y: f64, stream: u32) -> f64 {
 
 /// Noise of several octaves, about -1 to 1.
 pub(super) fn hills(x: f64, y: f64, octaves: u32, stream: u32) -> f64 {
-    sum(x, y, octaves, stream, |noise| noise)
+    sum(x, y, octaves, 0.48, stream, |noise| noise)
 }
 
 /// Noise with sharp crests, 0 to about 1.
 pub(super) fn ridges(x: f64, y: f64, octaves: u32, stream: u32) -> f64 {
-    sum(x, y, octaves, stream, |noise| {
+    sum(x, y, octaves, 0.38, stream, |noise| {
         let crest = 1.0 - noise.abs();
         crest * crest
     })
 }
 
-fn sum(x: f64, y: f64, octaves: u32, stream: u32, shape: impl Fn(f64) -> f64) -> f64 {
+fn sum(x: f64, y: f64, octaves: u32, fade: f64, stream: u32, shape: impl Fn(f64) -> f64) -> f64 {
     let (mut total, mut weight, mut weights) = (0.0, 1.0, 0.0);
     let (mut x, mut y) = (x, y);
     for octave in 0..octaves {
         total += weight * shape(value(x, y, stream.wrapping_add(octave * 101)));
         weights += weight;
-        weight *= 0.48;
+        weight *= fade;
         // Turned and scaled, so that the octaves' grids do not line up.
         (x, y) = (1.7 * x - 1.1 * y + 5.3, 1.1 * x + 1.7 * y - 2.9);
     }

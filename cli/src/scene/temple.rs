@@ -51,7 +51,10 @@ fn cella(scene: &mut Builder, half_x: f64, half_z: f64, floor: f64) {
     let (door, lintel) = (1.25, floor + 4.6);
     for (x, sign) in [(-half_x - 0.02, -1.0), (half_x + 0.02, 1.0)] {
         let p = |y: f64, z: f64| DVec3::new(x, y, z * sign);
-        scene.quad([p(floor, door), p(lintel, door * 0.9), p(lintel, -door * 0.9), p(floor, -door)], paint::WINDOW);
+        scene.quad(
+            [p(floor, door), p(lintel, door * 0.9), p(lintel, -door * 0.9), p(floor, -door)],
+            paint::WINDOW,
+        );
     }
 }
 

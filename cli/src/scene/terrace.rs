@@ -42,9 +42,15 @@ fn floor(scene: &mut Builder) {
         DVec3::new(HALF + 0.8, FLOOR - 0.015, EDGE + 0.2),
         paint::MARBLE_WORN,
     );
-    // Square tiles with a smaller one set in every other.
     let size = 1.2;
     let (columns, rows) = ((HALF / size) as i32, (EDGE / size) as i32);
+    // Brass strips between the tiles: slivers from behind the camera to the edge.
+    for i in -columns..=columns {
+        let (x, half) = (f64::from(i) * size, 0.014);
+        let p = |dx: f64, z: f64| DVec3::new(x + dx, FLOOR + 0.006, z);
+        scene.quad([p(-half, -9.0), p(-half, EDGE), p(half, EDGE), p(half, -9.0)], paint::SAND);
+    }
+    // Square tiles with a smaller one set in every other.
     for j in -6..rows {
         for i in -columns..columns {
             let (x, z) = (f64::from(i) * size, f64::from(j) * size);
@@ -121,7 +127,9 @@ fn arcade(scene: &mut Builder) {
 /// A drum and blocks that lie where they fell.
 fn fallen(scene: &mut Builder) {
     for (k, (x, z, size)) in
-        [(4.2, 9.2, 0.62), (5.5, 10.3, 0.4), (6.3, 8.6, 0.3), (2.9, 11.4, 0.34), (-9.5, 7.2, 0.45)].into_iter().enumerate()
+        [(4.2, 9.2, 0.62), (5.5, 10.3, 0.4), (6.3, 8.6, 0.3), (2.9, 11.4, 0.34), (-9.5, 7.2, 0.45)]
+            .into_iter()
+            .enumerate()
     {
         let turn = unit(k as i32, 0, 130) * 2.0 - 1.0;
         scene.at(Frame::new(DVec3::new(x, FLOOR, z), (1.0, turn)));

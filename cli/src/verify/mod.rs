@@ -114,3 +114,69 @@ pub fn difference(scene: &Scene, picture: &Picture) -> Result<Vec<[u8; 3]>, Rend
 fn spec(picture: &Picture) -> DepthSpec {
     if picture.bits == 32 { DepthSpec::D32 } else { DepthSpec::D16 }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use halfplane::Region;
+
+    fn settings(cull: Cull, depth: DepthFormat) -> Settings {
+        let region = Region::of_size(12, 10).unwrap();
+        Settings { region, cull, front: Winding::Clockwise, depth }
+    }
+
+    /// Two overlapping triangles, of opposite windings, one of them through the near plane.
+    const CLIP: [[f32; 4]; 6] = [
+        [-0.9, -0.9, 0.3, 1.0],
+        [0.1, 0.9, 0.6, 1.0],
+        [0.8, -0.7, 0.2, 1.0],
+        [-2.0, 0.1, -0.5, 0.5],
+        [1.0, -0.8, 0.5, 1.0],
+        [0.9, 0.9, 0.7, 1.0],
+    ];
+
+    #[test]
+    fn every_wrong_pixel_is_found_and_shown() {
+        for depth in [DepthFormat::D32, DepthFormat::D16] {
+            for cull in [Cull::None, Cull::Back, Cull::Front] {
+                let settings = settings(cull, depth);
+                let indices = [0, 1, 2, 3, 4, 5];
+                let mut picture = crate::render::render(&CLIP, &indices, &settings).unwrap();
+                let (scene, whole) = assemble(&CLIP, &indices, &settings);
+                assert_eq!(whole.len(), 1);
+                let report = compare(&scene, &picture, &|_| ()).unwrap();
+                assert!(report.identical() && report.covered > 0, "{report}");
+
+                let drawn: Vec<usize> = (0..120).filter(|&at| picture.ids[at] != NO_ID).collect();
+                picture.ids[drawn[0]] = NO_ID;
+                picture.depth[drawn[0]] = picture.far();
+                picture.depth[drawn[1]] += 1;
+                picture.ids[drawn[2]] += 40;
+                let report = compare(&scene, &picture, &|_| ()).unwrap();
+                assert_eq!(report.mismatches.pixels, 3, "{report}");
+                let colours = difference(&scene, &picture).unwrap();
+                assert_eq!(colours[drawn[0]], [255, 40, 40]);
+                assert_eq!(colours[drawn[1]], [60, 120, 255]);
+                assert_eq!(colours[drawn[2]], [255, 220, 0]);
+                assert_eq!(colours.iter().filter(|c| c[0] == c[1]).count(), 117);
+            }
+        }
+    }
+
+    #[test]
+    fn displacement_of_vertices_that_are_exact_is_nought() {
+        let settings = settings(Cull::None, DepthFormat::D32);
+        let mesh = crate::mesh::Mesh::plain(
+            vec![[-0.5, -0.5, 0.5], [0.0, 0.5, 0.5], [0.5, -0.5, 0.5]],
+            vec![0, 1, 2],
+        );
+        let mut matrix = [0.0; 16];
+        (0..4).for_each(|k| matrix[5 * k] = 1.0);
+        let clip = crate::render::to_clip(&mesh, &matrix);
+        let (_, mut whole) = assemble(&clip, &mesh.indices, &settings);
+        let measure = |whole: &[Whole]| displacement(&mesh, &matrix, &clip, whole, (12, 10), 8);
+        assert_eq!(measure(&whole), Displacement { vertices: 3, from_clip: 0.0, from_model: 0.0 });
+        whole[0].xy[1][0] += 3;
+        assert_eq!(measure(&whole).from_clip, 3.0);
+    }
+}

@@ -9,7 +9,7 @@ use crate::mesh::Mesh;
 use super::Whole;
 
 /// At most so many vertices are measured, evenly spread over those there are.
-const SAMPLE: usize = 60_000;
+const SAMPLE: usize = 20_000;
 
 /// Largest distances, along x or y, in sub-pixel steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
