@@ -28,6 +28,8 @@ pub enum Command {
     /// Draw a mesh: depth, triangle ids and a shaded preview as PNG files
     ///
     /// FILE is a Wavefront OBJ, glTF (.gltf, .glb) or SCN1 mesh; without it, the built-in scene.
+    /// OBJ and glTF are taken as right-handed, SCN1 and the built-in scene as left-handed; all
+    /// coordinates on the command line are the model's own.
     Render(Picture),
     /// Draw a mesh and compare every pixel with the exact reference; exit status 1 if any differs
     ///

@@ -43,7 +43,7 @@ fn files_that_are_not_there_or_not_meshes() {
     file_refused("empty_obj", "empty.obj", b"# nothing\nv 0 0 0\n", &["no triangle"]);
     file_refused("text_glb", "text.glb", b"hello", &["glTF"]);
     file_refused("text_gltf", "text.gltf", b"{\"asset\":", &["glTF"]);
-    file_refused("binary_obj", "binary.obj", &[0xFF, 0xFE, b'\n', 0x80], &["not", "OBJ"]);
+    file_refused("binary_obj", "binary.obj", &[0xFF, 0xFE, b'\n', 0x80], &["not a mesh", "no triangle"]);
     file_refused("no_triangles", "none.bin", &scn1(&TRIANGLE, &[]), &["no triangle"]);
 }
 

@@ -231,7 +231,7 @@ fn triangles(mode: Mode, indices: &[u32], at: &str) -> Result<Vec<u32>, Problem>
         },
         _ => indices.to_vec(),
     };
-    if list.len() % 3 == 0 {
+    if list.len().is_multiple_of(3) {
         Ok(list)
     } else {
         Err(Problem::IndexCount { count: list.len(), of: at.to_owned() })

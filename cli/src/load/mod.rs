@@ -92,7 +92,7 @@ fn recognise(path: &Path, bytes: &[u8]) -> Option<Format> {
 /// What must hold for a mesh from any format.
 fn check(mesh: Mesh) -> Result<Mesh, Problem> {
     let vertices = mesh.positions.len();
-    if mesh.indices.len() % 3 != 0 {
+    if !mesh.indices.len().is_multiple_of(3) {
         return Err(Problem::IndexCount { count: mesh.indices.len(), of: "the file".to_owned() });
     }
     if mesh.indices.is_empty() {

@@ -8,13 +8,15 @@ use super::{Problem, not_finite, one_line};
 
 /// Reads a whole file.
 pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, Problem> {
+    // Names and comments may be in any encoding; what matters is ASCII.
+    let text = String::from_utf8_lossy(bytes);
     let options =
         LoadOptions { triangulate: true, ignore_points: true, ignore_lines: true, ..LoadOptions::default() };
     // Colours come from the program's own clay: no material library is opened.
     let no_materials = |_: &std::path::Path| Ok(Default::default());
-    let mut reader = bytes;
+    let mut reader = text.as_bytes();
     let (models, _) = tobj::load_obj_buf(&mut reader, &options, no_materials)
-        .map_err(|error| locate(bytes).unwrap_or_else(|| malformed(error)))?;
+        .map_err(|error| locate(&text).unwrap_or_else(|| malformed(error)))?;
     let (mut positions, mut indices) = (Vec::new(), Vec::new());
     for mesh in models.into_iter().map(|model| model.mesh) {
         let first = u32::try_from(positions.len()).ok();
@@ -28,7 +30,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, Problem> {
         return Ok(Mesh::plain(positions, indices));
     }
     // The general check finds it too, but only this one knows the line.
-    locate(bytes).map_or_else(|| Ok(Mesh::plain(positions, indices)), Err)
+    locate(&text).map_or_else(|| Ok(Mesh::plain(positions, indices)), Err)
 }
 
 fn malformed(error: tobj::LoadError) -> Problem {
@@ -37,8 +39,7 @@ fn malformed(error: tobj::LoadError) -> Problem {
 
 /// The line of the first `v` that is not three finite numbers or `f` that names a vertex which is
 /// not there, for the error message; `None` where the fault is of another kind.
-fn locate(bytes: &[u8]) -> Option<Problem> {
-    let text = String::from_utf8_lossy(bytes);
+fn locate(text: &str) -> Option<Problem> {
     let all = text.lines().filter(|line| line.split_whitespace().next() == Some("v")).count();
     let mut vertices = 0;
     for (number, line) in text.lines().enumerate() {
@@ -56,10 +57,7 @@ fn locate(bytes: &[u8]) -> Option<Problem> {
             return problem;
         }
     }
-    std::str::from_utf8(bytes).err().map(|error| Problem::Malformed {
-        at: format!("byte {}", error.valid_up_to()),
-        expected: "an OBJ file is text in UTF-8".to_owned(),
-    })
+    None
 }
 
 fn bad_vertex<'a>(at: String, line: &str, words: impl Iterator<Item = &'a str>) -> Option<Problem> {
