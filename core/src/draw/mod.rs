@@ -59,7 +59,7 @@ where
         attachments.check(area)?;
     }
     let mut statistics = Statistics { submitted, ..Statistics::default() };
-    for (id, corners) in (first_id..).zip(triangles) {
+    for (id, corners) in (first_id..first_id.saturating_add(submitted)).zip(triangles) {
         let mut outcome = None;
         let assembly = positions.assemble(corners.map(Index::to_usize), |vertices| {
             let piece = match area {

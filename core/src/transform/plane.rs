@@ -6,7 +6,7 @@ const MIN_W: f32 = f32::MIN_POSITIVE;
 /// A half-space of clip space. Whether a vertex is outside is decided in `f32`, the same way wherever
 /// the vertex occurs, so that two triangles agree about the vertices they share.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Plane {
+pub(crate) enum Plane {
     /// z >= 0.
     Near,
     /// z <= w.
@@ -27,7 +27,7 @@ impl Plane {
     /// The planes to clip at, `guard_band` as from [`Viewport`](super::Viewport), in the order that
     /// they are applied.
     #[inline]
-    pub(super) const fn clipping([left, right, top, bottom]: [f32; 4]) -> [Self; 7] {
+    pub(crate) const fn clipping([left, right, top, bottom]: [f32; 4]) -> [Self; 7] {
         [
             Self::Near,
             Self::Far,
@@ -40,7 +40,7 @@ impl Plane {
     }
 
     /// The planes of the view frustum: a triangle wholly outside one of them is not visible.
-    pub(super) const FRUSTUM: [Self; 7] = [
+    pub(crate) const FRUSTUM: [Self; 7] = [
         Self::Near,
         Self::Far,
         Self::Eye,
@@ -52,7 +52,7 @@ impl Plane {
 
     /// Whether a finite vertex is outside.
     #[inline]
-    pub(super) fn excludes(self, [x, y, z, w]: [f32; 4]) -> bool {
+    pub(crate) fn excludes(self, [x, y, z, w]: [f32; 4]) -> bool {
         match self {
             Self::Near => z < 0.0,
             Self::Far => z > w,
@@ -80,15 +80,18 @@ impl Plane {
 
     /// Where the plane cuts the edge from a vertex inside to one outside. Always computed in this
     /// direction, so the triangles on both sides of an edge get the same vertex.
-    pub(super) fn cut(self, inside: [f32; 4], outside: [f32; 4]) -> [f32; 4] {
+    pub(crate) fn cut(self, inside: [f32; 4], outside: [f32; 4]) -> [f32; 4] {
         let (a, b) = (inside.map(f64::from), outside.map(f64::from));
-        let (near, far) = (self.distance(a), self.distance(b));
-        // Rounding in `excludes` can disagree with `distance` on a vertex at the plane.
-        let t = (near / (near - far)).clamp(0.0, 1.0);
-        let t = if t.is_nan() { 0.0 } else { t };
+        // Both weights are positive: rounding in `excludes` can disagree with `distance` on a vertex at
+        // the plane. So components of one sign keep it, w above all.
+        let (near, far) = (self.distance(a).max(0.0), (-self.distance(b)).max(0.0));
+        let sum = near + far;
+        if sum <= 0.0 {
+            return inside;
+        }
         let mut cut = [0.0; 4];
         for (cut, (a, b)) in cut.iter_mut().zip(a.into_iter().zip(b)) {
-            *cut = (a + t * (b - a)) as f32;
+            *cut = ((near * b + far * a) / sum) as f32;
         }
         let [x, y, z, w] = cut;
         match self {
