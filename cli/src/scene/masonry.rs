@@ -108,7 +108,7 @@ pub(super) fn bridge(scene: &mut Builder, from: DVec3, to: DVec3) {
         let middle = span * (f64::from(k) + 0.5);
         let centre = DVec3::new(middle, spring, 0.0);
         let ring = (radius, radius + 0.7);
-        let stone = |k: u32| if k % 2 == 0 { paint::MARBLE_WORN } else { paint::SANDSTONE };
+        let stone = |k: u32| if k.is_multiple_of(2) { paint::MARBLE_WORN } else { paint::SANDSTONE };
         scene.arch(centre, ring, depth, (0.0, 1.0, 15), stone);
         spandrels(scene, centre, radius + 0.7, span * 0.5, deck, depth);
     }

@@ -102,7 +102,7 @@ fn roof(scene: &mut Builder, half_x: f64, half_z: f64, base: f64) {
         let point = |i: u32, j: u32| {
             let (s, t) = (f64::from(i) / f64::from(columns), f64::from(j) / f64::from(rows));
             // Ridges between the tiles.
-            let relief = if i % 2 == 0 { 0.09 } else { 0.0 };
+            let relief = if i.is_multiple_of(2) { 0.09 } else { 0.0 };
             let along = -side * (s * 2.0 - 1.0) * half_x;
             DVec3::new(along, base + rise * t + relief, side * half_z * (1.0 - t))
         };

@@ -95,7 +95,7 @@ fn arcade(scene: &mut Builder) {
             _ => column(scene, base, height, 0.5, 40, paint::MARBLE),
         }
     }
-    let stone = |k: u32| if k % 2 == 0 { paint::SANDSTONE } else { paint::MARBLE_WORN };
+    let stone = |k: u32| if k.is_multiple_of(2) { paint::SANDSTONE } else { paint::MARBLE_WORN };
     let front = ARCADE - depth * 0.5;
     for k in -4..0 {
         let centre = DVec3::new(foot(k).x + BAY * 0.5, spring, front);
