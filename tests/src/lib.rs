@@ -1,0 +1,30 @@
+//! What `halfplane` promises, as properties that any engine can drive.
+//!
+//! | where | what |
+//! |---|---|
+//! | [`shapes`] | triangles, meshes and clip-space vertices by kind: total functions of plain numbers |
+//! | [`strategies`] | the same as proptest strategies, with shrinking |
+//! | [`properties`] | the properties: plain functions `fn(inputs) -> Result<(), Failure>`, no engine in them |
+//! | [`sizes`] | how many cases each property gets; the only place to change that |
+//! | [`double`] | an attachment that fails on overdraw and prints pictures |
+//! | [`toy`] | formats small enough to enumerate |
+//! | [`golden`] | the reader of third-party goldens |
+//! | [`layers`] | the reader of the core's imports |
+//!
+//! The drivers are in `tests/`: each calls properties with inputs from one engine.
+
+pub mod double;
+pub mod failure;
+pub mod frame;
+pub mod golden;
+pub mod layers;
+pub mod oracle;
+pub mod properties;
+pub mod run;
+pub mod shapes;
+pub mod sizes;
+pub mod strategies;
+pub mod toy;
+
+pub use failure::Failure;
+pub use frame::Frame;

@@ -1,0 +1,157 @@
+//! All triangles with corners on a small lattice: coverage, and the ownership of shared edges.
+
+use crate::{Failure, Frame, ensure, failure::Verdict, frame::window_vertices, shapes::Corners};
+use halfplane::{Format, Region, Triangle, traverse};
+use halfplane_reference::cover_rows;
+
+/// Pixels on a side of the window that is looked at; one bit each in a [`Picture`].
+const SIDE: u32 = 64;
+
+/// Rows of 64 pixels.
+type Picture = [u64; SIDE as usize];
+
+/// A square lattice of points, in steps.
+#[derive(Clone, Copy, Debug)]
+pub struct Lattice {
+    /// First point.
+    pub origin: [i32; 2],
+    /// Points on a side.
+    pub side: i32,
+    /// Steps between points.
+    pub spacing: i32,
+}
+
+impl Lattice {
+    /// The point of that number, row by row.
+    fn point(self, number: i32) -> [i32; 2] {
+        let Self { origin: [x, y], side, spacing } = self;
+        [x + number % side * spacing, y + number / side * spacing]
+    }
+
+    /// The pixels from the first row and column that a corner can be in: what has to be compared.
+    fn window(self, frame: &Frame, steps: i32) -> [u32; 4] {
+        let far = |axis: usize| {
+            let end = self.origin[axis] + self.side * self.spacing;
+            ((end / steps + 2).max(1) as u32).min(frame.region[2 + axis])
+        };
+        let near = |axis: usize| (self.origin[axis] / steps - 2).max(0) as u32 & !3;
+        [near(0), near(1), far(0), far(1)]
+    }
+}
+
+/// Every ordered triple of lattice points (so both windings, every first corner and the degenerate
+/// ones): the core covers what the reference covers; and for every pair of points, the samples between
+/// them belong to the triangles on exactly one side.
+///
+/// Returns the number of triangles.
+pub fn every_triangle<F: Format>(frame: &Frame, lattice: Lattice) -> Result<u64, Failure> {
+    let points = lattice.side * lattice.side;
+    let window = lattice.window(frame, 1 << F::SUBPIXEL_BITS);
+    let mut triangles = 0;
+    for a in 0..points {
+        for b in 0..points {
+            let (p, q) = (lattice.point(a), lattice.point(b));
+            let mut owner = Owner::new::<F>(frame, window, p, q);
+            for c in 0..points {
+                let corners = [p, q, lattice.point(c)];
+                let drawn = drawn::<F>(frame, &corners)?;
+                compare::<F>(frame, window, &corners, &drawn)?;
+                owner.take(&corners, &drawn)?;
+                triangles += 1;
+            }
+            owner.verdict(p, q)?;
+        }
+    }
+    Ok(triangles)
+}
+
+/// The core's coverage, by the level below `draw`.
+fn drawn<F: Format>(frame: &Frame, corners: &Corners) -> Result<Picture, Failure> {
+    let mut picture = [0; SIDE as usize];
+    let [x0, y0, x1, y1] = frame.scissor;
+    let vertices = window_vertices::<F>(corners, [9; 3])?;
+    if let Some(triangle) = Triangle::new(vertices, frame.core_sample()?) {
+        traverse(&triangle, Region::new(x0, y0, x1, y1)?, |x, y, mask| {
+            for (column, row) in mask.cells() {
+                picture[(y + row) as usize % 64] |= 1 << ((x + column) % 64);
+            }
+        });
+    }
+    Ok(picture)
+}
+
+fn compare<F: Format>(
+    frame: &Frame,
+    [_, y0, _, y1]: [u32; 4],
+    corners: &Corners,
+    drawn: &Picture,
+) -> Verdict {
+    let mut expected = [0u64; SIDE as usize];
+    cover_rows(corners, frame.grid::<F>()?, frame.scissor_rect(), |y, columns| {
+        for x in columns {
+            expected[y as usize % 64] |= 1 << (x % 64);
+        }
+    });
+    for y in y0 as usize..y1 as usize {
+        ensure!(
+            drawn[y] == expected[y],
+            "{corners:?}: row {y} is {:#b}, expected {:#b}, sample {:?}",
+            drawn[y],
+            expected[y],
+            frame.sample
+        );
+    }
+    Ok(())
+}
+
+/// Which side owns the samples between two points.
+struct Owner {
+    /// The pixels whose samples lie strictly between the points, on the line.
+    between: Vec<(u32, u32)>,
+    /// For the clockwise and the counter-clockwise side: the pixels covered by all triangles so far,
+    /// and by any. Only rows with a sample in between are kept up to date.
+    sides: [Option<(Picture, Picture)>; 2],
+}
+
+impl Owner {
+    fn new<F: Format>(frame: &Frame, [x0, y0, x1, y1]: [u32; 4], p: [i32; 2], q: [i32; 2]) -> Self {
+        let on_segment = |pixel: &(u32, u32)| {
+            let [x, y] = frame.sample_at::<F>(*pixel);
+            let [[px, py], [qx, qy]] = [p, q].map(|point| point.map(i64::from));
+            let on_line = (qx - px) * (y - py) == (qy - py) * (x - px);
+            let along = (x - px) * (qx - px) + (y - py) * (qy - py);
+            on_line && along > 0 && along < (qx - px) * (qx - px) + (qy - py) * (qy - py)
+        };
+        let pixels = (y0..y1).flat_map(|y| (x0..x1).map(move |x| (x, y)));
+        let inside = |pixel: &(u32, u32)| frame.scissor_has(*pixel);
+        Self { between: pixels.filter(inside).filter(on_segment).collect(), sides: [None, None] }
+    }
+
+    fn take(&mut self, corners: &Corners, drawn: &Picture) -> Verdict {
+        let side = match crate::shapes::doubled_area(corners) {
+            0 => return Ok(()),
+            1.. => 0,
+            _ => 1,
+        };
+        let (all, any) = self.sides[side].get_or_insert(([u64::MAX; SIDE as usize], [0; SIDE as usize]));
+        for &(_, y) in &self.between {
+            all[y as usize % 64] &= drawn[y as usize % 64];
+            any[y as usize % 64] |= drawn[y as usize % 64];
+        }
+        Ok(())
+    }
+
+    /// All triangles of one side have the samples in between, all of the other have not.
+    fn verdict(&self, p: [i32; 2], q: [i32; 2]) -> Verdict {
+        let [Some(left), Some(right)] = &self.sides else { return Ok(()) };
+        let has = |picture: &Picture, (x, y): (u32, u32)| picture[y as usize % 64] >> (x % 64) & 1 != 0;
+        for &pixel in &self.between {
+            let owners = [left, right].map(|(all, any)| (has(all, pixel), has(any, pixel)));
+            ensure!(
+                matches!(owners, [(true, true), (false, false)] | [(false, false), (true, true)]),
+                "edge {p:?} to {q:?}: the sample of pixel {pixel:?} belongs to {owners:?} (all, any; by side)"
+            );
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,17 @@
+//! The properties: plain functions of plain inputs, no engine in them.
+
+pub mod clipping;
+pub mod coverage;
+pub mod depth;
+pub mod depth_test;
+pub mod entry;
+pub mod enumeration;
+pub mod errors;
+pub mod lanes;
+pub mod numbers;
+pub mod outline;
+pub mod scene;
+pub mod statistics;
+pub mod storage;
+pub mod transform;
+pub mod watertight;

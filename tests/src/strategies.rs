@@ -1,0 +1,60 @@
+//! The shapes as proptest strategies: proptest chooses and shrinks plain numbers, the shapes follow.
+
+use crate::{
+    Frame,
+    shapes::{Corners, Kind, depths, triangle},
+};
+use halfplane::Format;
+use proptest::{array, prelude::*, sample::select};
+
+/// One triangle and where it is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Shot {
+    /// Where.
+    pub frame: Frame,
+    /// What is special about it.
+    pub kind: Kind,
+    /// Corners in steps.
+    pub corners: Corners,
+    /// Depths in units of 2^-32.
+    pub z: [u32; 3],
+}
+
+/// `N` numbers, each uniform.
+pub fn numbers<const N: usize>() -> impl Strategy<Value = [u32; N]>
+where
+    [u32; N]: std::fmt::Debug,
+{
+    proptest::collection::vec(any::<u32>(), N).prop_map(|v| std::array::from_fn(|k| v[k]))
+}
+
+/// Frames anywhere in the largest target.
+pub fn frame<F: Format>() -> impl Strategy<Value = Frame> {
+    numbers::<12>().prop_map(Frame::from_numbers::<F>)
+}
+
+/// A triangle of any kind in any frame.
+pub fn shot<F: Format>() -> impl Strategy<Value = Shot> {
+    (frame::<F>(), select(Kind::ALL.to_vec()), array::uniform8(any::<u32>()), array::uniform4(any::<u32>()))
+        .prop_map(|(frame, kind, numbers, z)| Shot {
+            frame,
+            kind,
+            corners: triangle::<F>(kind, &frame, numbers),
+            z: depths(z),
+        })
+}
+
+/// Several triangles in a small target at the origin.
+pub fn scene<F: Format>(side: u32, most: usize) -> impl Strategy<Value = (Frame, Vec<Shot>)> {
+    let one = (select(Kind::ALL.to_vec()), array::uniform8(any::<u32>()), array::uniform4(any::<u32>()));
+    (1..=side, 1..=side, proptest::collection::vec(one, 1..=most)).prop_map(|(width, height, shapes)| {
+        let frame = Frame::whole::<F>(width, height);
+        let shots = shapes.into_iter().map(|(kind, numbers, z)| Shot {
+            frame,
+            kind,
+            corners: triangle::<F>(kind, &frame, numbers),
+            z: depths(z),
+        });
+        (frame, shots.collect())
+    })
+}

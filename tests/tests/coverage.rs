@@ -1,0 +1,43 @@
+//! Coverage equals the reference, in every format.
+
+use halfplane::{Format, Small, Standard};
+use halfplane_tests::{
+    properties::coverage,
+    run::check,
+    sizes,
+    strategies::shot,
+    toy::{Middle, Toy},
+};
+
+fn equals_reference<F: Format>() {
+    check(sizes::COVERAGE, shot::<F>(), |shot| coverage::equals_reference::<F>(&shot.frame, &shot.corners));
+}
+
+fn equals_definition<F: Format>() {
+    check(sizes::DEFINITION, shot::<F>(), |shot| {
+        coverage::equals_definition::<F>(&shot.frame, &shot.corners)
+    });
+}
+
+macro_rules! for_each_format {
+    ($($format:ident $reference:ident $definition:ident;)+) => {
+        $(
+            #[test]
+            fn $reference() {
+                equals_reference::<$format>();
+            }
+
+            #[test]
+            fn $definition() {
+                equals_definition::<$format>();
+            }
+        )+
+    };
+}
+
+for_each_format! {
+    Standard coverage_equals_reference_standard coverage_equals_definition_standard;
+    Small coverage_equals_reference_small coverage_equals_definition_small;
+    Middle coverage_equals_reference_middle coverage_equals_definition_middle;
+    Toy coverage_equals_reference_toy coverage_equals_definition_toy;
+}

@@ -1,0 +1,20 @@
+//! The drivers: each test hands cases of one engine to properties of the library.
+
+mod clipping;
+mod coverage;
+mod depth;
+mod entry;
+mod enumeration;
+mod errors;
+mod goldens;
+mod issues;
+mod lanes;
+mod layers;
+mod named;
+mod numbers;
+mod scenes;
+mod shapes;
+mod statistics;
+mod storage;
+mod transform;
+mod watertight;
