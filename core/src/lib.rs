@@ -53,6 +53,8 @@ pub mod draw;
 pub mod geometry;
 pub mod lanes;
 pub mod numbers;
+#[cfg(feature = "simd")]
+pub mod simd;
 #[cfg(feature = "transform")]
 pub mod transform;
 pub mod traversal;
@@ -68,5 +70,5 @@ pub use geometry::{
 };
 pub use numbers::{Bounds, Coordinate, Format, Small, Standard, unorm16, unorm32};
 #[cfg(feature = "transform")]
-pub use transform::{ClipPositions, Viewport};
+pub use transform::{ClipPositions, ModelPositions, Viewport};
 pub use traversal::{Mask, traverse};

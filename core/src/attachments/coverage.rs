@@ -29,6 +29,13 @@ impl<'a, F: Format> Coverage<'a, F> {
         self.masks.blocks_mut().fill(0);
     }
 
+    /// The storage.
+    #[cfg(feature = "simd")]
+    #[inline]
+    pub(crate) const fn tiled(&mut self) -> &mut Tiled<'a, F, u16> {
+        &mut self.masks
+    }
+
     /// Whether pixel (`x`, `y`) is covered; `None` outside the region.
     #[must_use]
     pub fn get(&self, x: u32, y: u32) -> Option<bool> {

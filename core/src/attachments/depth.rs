@@ -87,6 +87,20 @@ impl<'a, F: Format, D: DepthFormat<F>> Depth<'a, F, D> {
         self.texels.fill(depth);
     }
 
+    /// The storage.
+    #[cfg(feature = "simd")]
+    #[inline]
+    pub(crate) const fn tiled(&mut self) -> &mut Tiled<'a, F, [D::Texel; 16]> {
+        &mut self.texels
+    }
+
+    /// The comparison, and whether depths are stored.
+    #[cfg(feature = "simd")]
+    #[inline]
+    pub(crate) const fn test(&self) -> DepthTest {
+        self.test
+    }
+
     /// The depth at pixel (`x`, `y`); `None` outside the region.
     #[must_use]
     pub fn get(&self, x: u32, y: u32) -> Option<D::Texel> {

@@ -37,6 +37,13 @@ impl<'a, F: Format> Ids<'a, F> {
         self.texels.fill(NO_ID);
     }
 
+    /// The storage.
+    #[cfg(feature = "simd")]
+    #[inline]
+    pub(crate) const fn tiled(&mut self) -> &mut Tiled<'a, F, [u32; 16]> {
+        &mut self.texels
+    }
+
     /// The id at pixel (`x`, `y`); `None` outside the region.
     #[must_use]
     pub fn get(&self, x: u32, y: u32) -> Option<u32> {

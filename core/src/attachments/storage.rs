@@ -114,6 +114,18 @@ impl<'a, F: Format, T> Tiled<'a, F, T> {
         self.blocks
     }
 
+    /// `count` blocks of a row from the one whose first pixel is (`x`, `y`) on; none where they are not
+    /// all in the storage.
+    #[cfg(feature = "simd")]
+    #[inline(always)]
+    pub(crate) fn row_mut(&mut self, x: u32, y: u32, count: u32) -> &mut [T] {
+        let pitch = self.region.width().div_ceil(4);
+        let row = y.wrapping_sub(self.region.y0()) >> 2;
+        let column = x.wrapping_sub(self.region.x0()) >> 2;
+        let first = row.wrapping_mul(pitch).wrapping_add(column) as usize;
+        self.blocks.get_mut(first..).and_then(|row| row.get_mut(..count as usize)).unwrap_or(&mut [])
+    }
+
     #[inline]
     fn index(&self, x: u32, y: u32) -> Option<usize> {
         let column = x.checked_sub(self.region.x0())?;

@@ -27,6 +27,13 @@ pub enum DrawError {
         /// Triangles in the index list.
         triangles: usize,
     },
+    /// Scratch memory for the vertex stage is shorter than the vertices.
+    ScratchTooSmall {
+        /// Records needed.
+        needed: usize,
+        /// Records given.
+        given: usize,
+    },
     /// Scissor and viewport reach beyond an attachment.
     OutsideAttachment(OutsideAttachment),
 }
@@ -51,6 +58,9 @@ impl fmt::Display for DrawError {
                 "{triangles} triangles from id {first_id} on need ids above {}, the largest",
                 u32::MAX - 1
             ),
+            Self::ScratchTooSmall { needed, given } => {
+                write!(f, "{given} records of scratch memory: one for each of {needed} vertices is needed")
+            }
             Self::OutsideAttachment(error) => error.fmt(f),
         }
     }

@@ -8,6 +8,9 @@ mod sealed {
 
 /// The type of a vertex index: `u16` or `u32`.
 pub trait Index: sealed::Sealed + Copy {
+    /// The index of the first vertex.
+    const ZERO: Self;
+
     /// The index as a `u32`.
     fn to_u32(self) -> u32;
 
@@ -19,6 +22,8 @@ pub trait Index: sealed::Sealed + Copy {
 }
 
 impl Index for u16 {
+    const ZERO: Self = 0;
+
     #[inline]
     fn to_u32(self) -> u32 {
         u32::from(self)
@@ -26,6 +31,8 @@ impl Index for u16 {
 }
 
 impl Index for u32 {
+    const ZERO: Self = 0;
+
     #[inline]
     fn to_u32(self) -> u32 {
         self

@@ -12,7 +12,7 @@ pub use statistics::{CulledCounts, RejectedCounts, Statistics};
 
 use crate::{
     attachments::{Attachment, Block},
-    geometry::{Culled, Positions, Region, Triangle, Vertex},
+    geometry::{Culled, Positions, Region, Triangle, Vertex, is_outside},
     numbers::Format,
     traversal::{Mask, traverse},
 };
@@ -37,27 +37,8 @@ where
     I: Index,
     A: Attachment<F>,
 {
-    let (triangles, rest) = indices.as_chunks::<3>();
-    if !rest.is_empty() {
-        return Err(DrawError::IndexCount { count: indices.len() });
-    }
-    let submitted = match u32::try_from(triangles.len()) {
-        Ok(count) if first_id.checked_add(count).is_some() => count,
-        _ => return Err(DrawError::TooManyIds { first_id, triangles: triangles.len() }),
-    };
-    let vertices = positions.count();
-    for (at, index) in indices.iter().enumerate() {
-        if index.to_usize() >= vertices {
-            return Err(DrawError::IndexOutOfRange { at, index: index.to_u32(), vertices });
-        }
-    }
-    let area = match positions.window() {
-        None => Some(state.scissor),
-        Some(window) => state.scissor.intersect(window),
-    };
-    if let Some(area) = area {
-        attachments.check(area)?;
-    }
+    let triangles = check_indices(indices, positions.count())?;
+    let (submitted, area) = check_draw(positions, triangles.len(), first_id, state, attachments)?;
     let mut statistics = Statistics { submitted, ..Statistics::default() };
     for (id, corners) in (first_id..first_id.saturating_add(submitted)).zip(triangles) {
         let mut outcome = None;
@@ -76,6 +57,65 @@ where
     Ok(statistics)
 }
 
+/// A triangle list, if every index names one of `vertices` vertices.
+pub(crate) fn check_indices<I: Index>(indices: &[I], vertices: usize) -> Result<&[[I; 3]], DrawError> {
+    let (triangles, rest) = indices.as_chunks::<3>();
+    if !rest.is_empty() {
+        return Err(DrawError::IndexCount { count: indices.len() });
+    }
+    for (at, index) in indices.iter().enumerate() {
+        if index.to_usize() >= vertices {
+            return Err(DrawError::IndexOutOfRange { at, index: index.to_u32(), vertices });
+        }
+    }
+    Ok(triangles)
+}
+
+/// What else can be wrong with a draw; the number of triangles, and the pixels that it may write.
+pub(crate) fn check_draw<F, P, A>(
+    positions: &P,
+    triangles: usize,
+    first_id: u32,
+    state: &State<F>,
+    attachments: &A,
+) -> Result<(u32, Option<Region<F>>), DrawError>
+where
+    F: Format,
+    P: Positions<F> + ?Sized,
+    A: Attachment<F>,
+{
+    let submitted = match u32::try_from(triangles) {
+        Ok(count) if first_id.checked_add(count).is_some() => count,
+        _ => return Err(DrawError::TooManyIds { first_id, triangles }),
+    };
+    let area = match positions.window() {
+        None => Some(state.scissor),
+        Some(window) => state.scissor.intersect(window),
+    };
+    if let Some(area) = area {
+        attachments.check(area)?;
+    }
+    Ok((submitted, area))
+}
+
+/// Sets up one window triangle; the pixels it may cover.
+#[inline]
+pub(crate) fn prepare<F: Format>(
+    vertices: [Vertex<F>; 3],
+    area: Region<F>,
+    state: &State<F>,
+) -> Result<(Triangle<F>, Region<F>), Culled> {
+    if is_outside(vertices, area) {
+        return Err(Culled::Outside);
+    }
+    let triangle = Triangle::new(vertices, state.sample).ok_or(Culled::ZeroArea)?;
+    if state.cull.culls(triangle.winding(), state.front) {
+        return Err(Culled::Facing);
+    }
+    let bounds = triangle.bounds(area)?;
+    Ok((triangle, bounds))
+}
+
 /// Sets up one window triangle and hands its blocks to the attachments.
 #[inline]
 fn draw_one<F: Format, A: Attachment<F>>(
@@ -85,11 +125,7 @@ fn draw_one<F: Format, A: Attachment<F>>(
     id: u32,
     attachments: &mut A,
 ) -> Result<(), Culled> {
-    let triangle = Triangle::new(vertices, state.sample).ok_or(Culled::ZeroArea)?;
-    if state.cull.culls(triangle.winding(), state.front) {
-        return Err(Culled::Facing);
-    }
-    let bounds = triangle.bounds(area)?;
+    let (triangle, bounds) = prepare(vertices, area, state)?;
     let mut begun = false;
     let mut visit = |x: u32, y: u32, mask: Mask| {
         if !begun {

@@ -61,7 +61,7 @@ impl RejectedCounts {
 
 impl Statistics {
     /// Counts one triangle: how it was assembled, and what became of its pieces.
-    pub(super) fn count(&mut self, assembly: Assembly, outcome: Option<Result<(), Culled>>) {
+    pub(crate) fn count(&mut self, assembly: Assembly, outcome: Option<Result<(), Culled>>) {
         if assembly == Assembly::Clipped {
             add(&mut self.clipped, 1);
         }

@@ -15,5 +15,5 @@ pub(crate) use plane::Plane;
 pub use positions::{Assembly, Positions};
 pub use region::{Region, RegionError};
 pub use sample::Sample;
-pub use triangle::{Triangle, doubled_area};
+pub use triangle::{Triangle, doubled_area, is_outside};
 pub use vertex::{OutsideGuardBand, Vertex};

@@ -45,6 +45,13 @@ impl<F: Format> Plane<F> {
         self.origin.step(self.x, x - self.anchor.0).step(self.y, y - self.anchor.1)
     }
 
+    /// The gradients per step to the right and per step down.
+    #[cfg(feature = "simd")]
+    #[inline]
+    pub(crate) fn gradients(&self) -> (F::Word, F::Word) {
+        (self.x, self.y)
+    }
+
     /// The rounded depths, of `bits` bits, that the sixteen samples of a 4x4 block have above its
     /// first one, row by row.
     #[inline]

@@ -17,6 +17,17 @@ pub fn doubled_area<F: Format>([a, b, c]: [Vertex<F>; 3]) -> F::Wide {
     F::Wide::product(b.x() - a.x(), c.y() - a.y()) - F::Wide::product(c.x() - a.x(), b.y() - a.y())
 }
 
+/// Whether the extent of three vertices does not reach into a region.
+#[inline]
+#[must_use]
+pub fn is_outside<F: Format>([a, b, c]: [Vertex<F>; 3], region: Region<F>) -> bool {
+    let corner = |pixel: u32| (pixel as i32) << F::SUBPIXEL_BITS;
+    a.x().max(b.x()).max(c.x()) <= corner(region.x0())
+        || a.x().min(b.x()).min(c.x()) >= corner(region.x1())
+        || a.y().max(b.y()).max(c.y()) <= corner(region.y0())
+        || a.y().min(b.y()).min(c.y()) >= corner(region.y1())
+}
+
 /// A triangle with an area, set up for one sample position.
 ///
 /// The vertices are kept in a canonical order: first the one with the smallest y, then the smallest
@@ -139,12 +150,7 @@ impl<F: Format> Triangle<F> {
         let (left, right) = (a.x().min(b.x()).min(c.x()), a.x().max(b.x()).max(c.x()));
         // The first vertex in canonical order is the top one.
         let (top, bottom) = (a.y(), b.y().max(c.y()));
-        let corner = |pixel: u32| (pixel as i32) << F::SUBPIXEL_BITS;
-        if right <= corner(region.x0())
-            || left >= corner(region.x1())
-            || bottom <= corner(region.y0())
-            || top >= corner(region.y1())
-        {
+        if is_outside(self.vertices, region) {
             return Err(Culled::Outside);
         }
         let (x0, x1) = self.sample.columns(left, right);

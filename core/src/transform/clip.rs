@@ -41,7 +41,7 @@ impl<T: Copy> Polygon<T> {
 
 /// The part of a triangle inside all of the planes (Sutherland and Hodgman, Reentrant Polygon
 /// Clipping, 1974). Its vertices are finite.
-pub(super) fn clip(triangle: [[f32; 4]; 3], planes: [Plane; 7]) -> Polygon<[f32; 4]> {
+pub(super) fn clip(triangle: [[f32; 4]; 3], planes: &[Plane; 7]) -> Polygon<[f32; 4]> {
     let mut polygon = Polygon::empty([0.0; 4]);
     for vertex in triangle {
         polygon.push(vertex);

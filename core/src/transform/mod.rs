@@ -5,10 +5,14 @@
 //! wherever IEEE 754 holds; the point where a plane cuts an edge is computed in `f64` and rounded.
 
 mod clip;
+mod model;
 mod plane;
 mod positions;
 mod triangulate;
 mod viewport;
 
+pub use model::ModelPositions;
+#[cfg(feature = "simd")]
+pub(crate) use plane::Plane;
 pub use positions::ClipPositions;
 pub use viewport::Viewport;

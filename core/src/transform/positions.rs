@@ -43,43 +43,48 @@ impl<F: Format> Positions<F> for ClipPositions<'_, F> {
     }
 
     #[inline]
-    fn assemble<E: FnMut([Vertex<F>; 3])>(&self, [i, j, k]: [usize; 3], mut emit: E) -> Assembly {
-        let (Some(&a), Some(&b), Some(&c)) =
-            (self.vertices.get(i), self.vertices.get(j), self.vertices.get(k))
-        else {
-            return Assembly::NoVertex;
-        };
-        let corners = [a, b, c];
-        if !corners.as_flattened().iter().all(|v| v.is_finite()) {
-            return Assembly::NonFinite;
+    fn assemble<E: FnMut([Vertex<F>; 3])>(&self, [i, j, k]: [usize; 3], emit: E) -> Assembly {
+        match (self.vertices.get(i), self.vertices.get(j), self.vertices.get(k)) {
+            (Some(&a), Some(&b), Some(&c)) => assemble([a, b, c], &self.viewport, &self.planes, emit),
+            _ => Assembly::NoVertex,
         }
-        if Plane::FRUSTUM.into_iter().any(|plane| corners.into_iter().all(|v| plane.excludes(v))) {
-            return Assembly::Outside;
-        }
-        let inside = |v: [f32; 4]| !self.planes.into_iter().any(|plane| plane.excludes(v));
-        if corners.into_iter().all(inside) {
-            let [a, b, c] = corners.map(|v| self.viewport.project(v));
-            return match (a, b, c) {
-                (Some(a), Some(b), Some(c)) => {
-                    emit([a, b, c]);
-                    Assembly::Whole
-                }
-                _ => Assembly::NonFinite,
-            };
-        }
-        let clipped = clip(corners, self.planes);
-        let Some(mut polygon) =
-            clipped.vertices().first().and_then(|&v| self.viewport.project(v)).map(Polygon::empty)
-        else {
-            return Assembly::Outside;
-        };
-        for vertex in clipped.vertices() {
-            match self.viewport.project(*vertex) {
-                Some(vertex) => polygon.push(vertex),
-                None => return Assembly::NonFinite,
-            }
-        }
-        triangulate(polygon, emit);
-        Assembly::Clipped
     }
+}
+
+/// Emits the window triangles of a clip-space triangle.
+#[inline]
+pub(super) fn assemble<F: Format>(
+    corners: [[f32; 4]; 3],
+    viewport: &Viewport<F>,
+    planes: &[Plane; 7],
+    mut emit: impl FnMut([Vertex<F>; 3]),
+) -> Assembly {
+    if !corners.as_flattened().iter().all(|v| v.is_finite()) {
+        return Assembly::NonFinite;
+    }
+    if Plane::FRUSTUM.into_iter().any(|plane| corners.into_iter().all(|v| plane.excludes(v))) {
+        return Assembly::Outside;
+    }
+    let inside = |v: [f32; 4]| !planes.iter().any(|plane| plane.excludes(v));
+    if corners.into_iter().all(inside) {
+        let [a, b, c] = corners.map(|v| viewport.project(v));
+        return match (a, b, c) {
+            (Some(a), Some(b), Some(c)) => {
+                emit([a, b, c]);
+                Assembly::Whole
+            }
+            _ => Assembly::NonFinite,
+        };
+    }
+    let clipped = clip(corners, planes);
+    let first = clipped.vertices().first().and_then(|&v| viewport.project(v));
+    let Some(mut polygon) = first.map(Polygon::empty) else { return Assembly::Outside };
+    for vertex in clipped.vertices() {
+        match viewport.project(*vertex) {
+            Some(vertex) => polygon.push(vertex),
+            None => return Assembly::NonFinite,
+        }
+    }
+    triangulate(polygon, emit);
+    Assembly::Clipped
 }

@@ -56,10 +56,22 @@ impl<F: Format> Viewport<F> {
         Some(Vertex::at(x, y, unorm32(depth)))
     }
 
+    /// Half the width and the height, in pixels.
+    #[cfg(feature = "simd")]
+    pub(crate) const fn half_size(&self) -> [f32; 2] {
+        [self.half_width, self.half_height]
+    }
+
+    /// The centre, in pixels from the target's origin.
+    #[cfg(feature = "simd")]
+    pub(crate) const fn center(&self) -> [f32; 2] {
+        [self.center_x, self.center_y]
+    }
+
     /// The guard band in clip space: `[left, right, top, bottom]` such that `left w <= x <= right w`
     /// and `bottom w <= y <= top w` keep a vertex within [`Bounds::CLIP_PIXELS`] of the target's
     /// origin, but for rounding.
-    pub(super) fn guard_band(&self) -> [f32; 4] {
+    pub(crate) fn guard_band(&self) -> [f32; 4] {
         let limit = Bounds::<F>::CLIP_PIXELS as f32;
         [
             (-limit - self.center_x) / self.half_width,

@@ -1,0 +1,22 @@
+//! The fast path: the same pictures from vector registers.
+//!
+//! Vertices are transformed and snapped eight at a time into records of the caller's; triangles are
+//! culled eight at a time; survivors are collected and set up eight at a time; each is drawn row of
+//! blocks by row of blocks, its edges solved for x. What that cannot do (clipping, large extents) goes
+//! one by one through the same integers as [`draw`](crate::draw()). Whatever the level, the bits are
+//! those of `draw` with [`ModelPositions`](crate::ModelPositions).
+
+mod attachment;
+mod cull;
+mod fetch;
+mod ops;
+mod pipeline;
+mod queue;
+mod rows;
+mod setup;
+mod vertex;
+
+pub use attachment::RowAttachment;
+pub use fearless_simd::Level;
+pub use pipeline::{Triangles, draw};
+pub use vertex::Snapped;
