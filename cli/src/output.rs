@@ -154,3 +154,20 @@ impl fmt::Display for OutputError {
 }
 
 impl std::error::Error for OutputError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_made_for_nothing_is_removed_again() {
+        let folder = std::env::temp_dir().join(format!("halfplane-output-{}", std::process::id()));
+        let mut outputs = Outputs::new(&folder);
+        outputs.add("first", vec![1]);
+        // The temporary name of this one lies in a folder that is not there.
+        outputs.add("missing/second", vec![2]);
+        let error = outputs.commit().unwrap_err().to_string();
+        assert!(error.contains("second"), "{error}");
+        assert!(!folder.exists());
+    }
+}
