@@ -1,0 +1,304 @@
+//! One view: machine limits, the rasterizer and its peers, all in turns.
+
+use std::cell::RefCell;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::Instant;
+
+use crate::limits::{CLEAR_PIXELS, Limit};
+use crate::options::Options;
+use crate::ours::{Attachments, Level, Stage, Target};
+use crate::peers::{self, Peer, visible::Visible};
+use crate::protocol::{Contender, Frame, Plan, Summary, measure};
+use crate::scenes::View;
+
+/// What the rows of a contest are about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// The unit of all times: the clear of 1280x720 pixels of 32 bits.
+    Unit,
+    /// Another limit of the machine.
+    Limit,
+    /// The rasterizer.
+    Ours,
+    /// The rasterizer on the triangles that 2D crates are given.
+    OursVisible,
+    /// A crate that draws the mesh from object space.
+    Peer,
+    /// A crate that draws window triangles.
+    Peer2d,
+}
+
+/// The times of one contender.
+#[derive(Debug, Clone)]
+pub struct Row {
+    /// What was measured.
+    pub contender: String,
+    /// What it is.
+    pub kind: Kind,
+    /// Whether the camera moved.
+    pub moving: bool,
+    /// Triangles it was given.
+    pub triangles: usize,
+    /// Pixels covered in the view's own frame.
+    pub covered: Option<usize>,
+    /// The times.
+    pub summary: Summary,
+}
+
+/// All rows of one view.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// The view.
+    pub view: String,
+    /// Its size in pixels.
+    pub size: (u32, u32),
+    /// In the order they were measured in.
+    pub rows: Vec<Row>,
+}
+
+/// The row of the fastest level's depth.
+pub const MAIN: Attachments = Attachments::Depth32;
+
+impl Outcome {
+    /// Milliseconds of one clear of 1280x720, the shortest of this run.
+    #[must_use]
+    pub fn clear(&self) -> f64 {
+        self.rows.iter().find(|row| row.kind == Kind::Unit).map_or(f64::NAN, |row| row.summary.min)
+    }
+
+    /// The row that a row is compared with: the fastest of ours on the same triangles.
+    #[must_use]
+    pub fn ours_beside(&self, row: &Row) -> Option<&Row> {
+        let kind = match row.kind {
+            Kind::Peer => Kind::Ours,
+            Kind::Peer2d => Kind::OursVisible,
+            _ => return None,
+        };
+        let same = |ours: &&Row| ours.kind == kind && ours.moving == row.moving;
+        self.rows
+            .iter()
+            .filter(same)
+            .find(|ours| ours.contender.ends_with(MAIN.name()))
+            .or_else(|| self.rows.iter().find(same))
+    }
+
+    /// The row of a level's depth, of the view's own camera.
+    #[must_use]
+    pub fn depth_of(&self, level: Level) -> Option<&Row> {
+        let name = ours_name(level, MAIN);
+        self.rows.iter().find(|row| row.kind == Kind::Ours && !row.moving && row.contender == name)
+    }
+}
+
+fn ours_name(level: Level, attachments: Attachments) -> String {
+    format!("halfplane {} {}", level.name(), attachments.name())
+}
+
+/// Contenders, and what is known of them before they are timed.
+struct Field<'a> {
+    rows: Vec<Row>,
+    contenders: Vec<Contender<'a>>,
+}
+
+impl<'a> Field<'a> {
+    /// Draws the first frame, and enters the contender with a plan for frames of that length.
+    fn enter(&mut self, row: Row, plan: Plan, mut frame: Frame<'a>) {
+        let started = Instant::now();
+        frame(0);
+        let plan = plan.for_frames_of(started.elapsed());
+        self.rows.push(row);
+        self.contenders.push(Contender { plan, frame });
+    }
+}
+
+/// Measures one view. All levels must draw the same picture first.
+///
+/// # Errors
+///
+/// Which level drew another picture.
+pub fn run(view: &View, options: &Options) -> Result<Outcome, String> {
+    let levels = Level::available();
+    let target = RefCell::new(Target::new(view));
+    let covered = same_picture(view, &mut target.borrow_mut(), &levels)?;
+    let visible = Visible::new(view);
+    let (unit, same_size) = (RefCell::new(Limit::new(CLEAR_PIXELS)), RefCell::new(Limit::new(view.pixels())));
+    let visible_target = RefCell::new(Target::with_indices(view, &visible.indices));
+    let peers = RefCell::new(Vec::new());
+    if options.peers.is_some() && view.peers {
+        *peers.borrow_mut() = ready(view, &visible);
+    }
+
+    let mut field = Field { rows: Vec::new(), contenders: Vec::new() };
+    enter_limits(&mut field, view, options.plan, &unit, &same_size, &target);
+    let row = Row {
+        contender: String::new(),
+        kind: Kind::Ours,
+        moving: false,
+        triangles: view.mesh.triangles(),
+        covered: Some(covered),
+        summary: Summary::default(),
+    };
+    for (place, &level) in levels.iter().enumerate() {
+        let all = view.detail && place == 0;
+        for attachments in Attachments::ALL.into_iter().filter(|&a| a == MAIN || all) {
+            for moving in [false, true] {
+                if moving && !(view.detail && attachments == MAIN) {
+                    continue;
+                }
+                let row = Row { contender: ours_name(level, attachments), moving, ..row.clone() };
+                let (target, motion) = (&target, view.motion());
+                let frame: Frame<'_> = Box::new(move |number| {
+                    let matrix = if moving { motion.at(number) } else { view.matrix };
+                    target.borrow_mut().frame(level, attachments, &matrix);
+                });
+                field.enter(row, options.plan, frame);
+            }
+        }
+    }
+    let count = peers.borrow().len();
+    if let (Some(plan), Some(&level), false) = (options.peers, levels.first(), count == 0) {
+        if !visible.indices.is_empty() {
+            visible_target.borrow_mut().frame(level, MAIN, &view.matrix);
+            let row = Row {
+                contender: format!("{}, visible only", ours_name(level, MAIN)),
+                kind: Kind::OursVisible,
+                triangles: visible.corners.len(),
+                covered: Some(visible_target.borrow().covered(MAIN)),
+                ..row.clone()
+            };
+            let target = &visible_target;
+            let frame = Box::new(move |_| {
+                target.borrow_mut().frame(level, MAIN, &view.matrix);
+            });
+            field.enter(row, options.plan, frame);
+        }
+        for place in 0..count {
+            enter_peer(&mut field, view, plan, &peers, place);
+        }
+    }
+    let Field { mut rows, mut contenders } = field;
+    for (row, summary) in rows.iter_mut().zip(measure(&mut contenders)) {
+        row.summary = summary;
+    }
+    Ok(Outcome { view: view.name.clone(), size: view.size, rows })
+}
+
+/// The pixels that every level covers.
+fn same_picture(view: &View, target: &mut Target<'_>, levels: &[Level]) -> Result<usize, String> {
+    let mut draw = |level| {
+        target.frame(level, MAIN, &view.matrix);
+        (target.fingerprint(MAIN), target.covered(MAIN))
+    };
+    let expected = draw(Level::Scalar);
+    match levels.iter().find(|&&level| draw(level) != expected) {
+        Some(level) => Err(format!("{}: {} draws another picture than scalar", view.name, level.name())),
+        None => Ok(expected.1),
+    }
+}
+
+/// The peers that draw something of the view; those that panic are left out, with a message.
+fn ready(view: &View, visible: &Visible) -> Vec<Box<dyn Peer>> {
+    let mut peers = peers::all(view, visible);
+    peers.retain_mut(|peer| {
+        let drawn = catch_unwind(AssertUnwindSafe(|| peer.frame(&view.matrix))).is_ok();
+        if !drawn {
+            eprintln!("{}: {} panics and is left out", view.name, peer.name());
+        }
+        drawn && peer.triangles() > 0
+    });
+    peers
+}
+
+fn enter_limits<'a>(
+    field: &mut Field<'a>,
+    view: &'a View,
+    plan: Plan,
+    unit: &'a RefCell<Limit>,
+    same_size: &'a RefCell<Limit>,
+    target: &'a RefCell<Target<'a>>,
+) {
+    let fastest = Level::available().first().copied().unwrap_or(Level::Scalar);
+    let (width, height) = view.size;
+    let contenders: [(String, Kind, Frame<'a>); 5] = [
+        ("clear of 1280x720 u32".to_owned(), Kind::Unit, Box::new(|_| unit.borrow_mut().clear())),
+        (
+            "read-modify-write of 1280x720 u32".to_owned(),
+            Kind::Limit,
+            Box::new(|_| unit.borrow_mut().read_modify_write()),
+        ),
+        (
+            format!("read-modify-write of {width}x{height} u32"),
+            Kind::Limit,
+            Box::new(|_| same_size.borrow_mut().read_modify_write()),
+        ),
+        (
+            "clear of the frame's own depth".to_owned(),
+            Kind::Limit,
+            Box::new(move |_| target.borrow_mut().stage(fastest, Stage::Clear(MAIN), &view.matrix)),
+        ),
+        (
+            "transform of all vertices".to_owned(),
+            Kind::Limit,
+            Box::new(move |_| target.borrow_mut().stage(fastest, Stage::Transform, &view.matrix)),
+        ),
+    ];
+    for (contender, kind, frame) in contenders {
+        let row =
+            Row { contender, kind, moving: false, triangles: 0, covered: None, summary: Summary::default() };
+        field.enter(row, plan, frame);
+    }
+}
+
+fn enter_peer<'a>(
+    field: &mut Field<'a>,
+    view: &'a View,
+    plan: Plan,
+    peers: &'a RefCell<Vec<Box<dyn Peer>>>,
+    place: usize,
+) {
+    let (row, moves) = {
+        let peer = &peers.borrow()[place];
+        let row = Row {
+            contender: peer.name().to_owned(),
+            kind: if peer.moves() { Kind::Peer } else { Kind::Peer2d },
+            moving: false,
+            triangles: peer.triangles(),
+            covered: Some(peer.covered()),
+            summary: Summary::default(),
+        };
+        (row, peer.moves())
+    };
+    for moving in [false, true] {
+        if moving && !(moves && view.detail) {
+            continue;
+        }
+        let motion = view.motion();
+        let frame = Box::new(move |number| {
+            let matrix = if moving { motion.at(number) } else { view.matrix };
+            peers.borrow_mut()[place].frame(&matrix);
+        });
+        field.enter(Row { moving, ..row.clone() }, plan, frame);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenes::growth;
+
+    #[test]
+    fn everybody_is_measured() {
+        let view = View { peers: true, detail: true, ..growth::view(1000, (64, 36)) };
+        let options = Options::parse(["--frames", "5", "--seconds", "1"].map(str::to_owned)).unwrap();
+        let outcome = run(&view, &options).unwrap();
+        for name in ["clear of 1280x720 u32", "halfplane scalar depth", "euc", "retrofire", "tiny-skia"] {
+            let row = outcome.rows.iter().find(|row| row.contender == name).unwrap();
+            assert!(row.summary.frames >= 3 && row.summary.min > 0.0, "{row:?}");
+        }
+        assert!(outcome.clear() > 0.0);
+        assert!(outcome.rows.iter().any(|row| row.contender == "euc" && row.moving));
+        let euc = outcome.rows.iter().find(|row| row.contender == "euc" && !row.moving).unwrap();
+        let beside = outcome.ours_beside(euc).unwrap();
+        assert_eq!(beside.contender, ours_name(Level::available()[0], MAIN));
+    }
+}

@@ -1,0 +1,29 @@
+//! Measurements of halfplane: whole frames on whole scenes, beside what else a user could take.
+//!
+//! | module | what |
+//! |---|---|
+//! | [`protocol`] | how frames are timed, and what is said of the times |
+//! | [`options`] | what a run measures, and for how long |
+//! | [`scenes`] | the views that are drawn |
+//! | [`ours`] | the only place that calls the rasterizer |
+//! | [`peers`] | other crates on the same triangles |
+//! | [`limits`] | what the machine can do at best |
+//! | [`contest`] | one view: everybody in turns |
+//! | [`quoted`] | figures of programs that are not crates, measured elsewhere |
+//! | [`report`] | tables and CSV |
+//!
+//! Programs: the benchmarks `compare`, `stages` and `micro`, and the example `instructions`, whose
+//! instructions are counted by `.ci/instructions`.
+
+#![forbid(unsafe_code)]
+
+pub mod buffer;
+pub mod contest;
+pub mod limits;
+pub mod options;
+pub mod ours;
+pub mod peers;
+pub mod protocol;
+pub mod quoted;
+pub mod report;
+pub mod scenes;

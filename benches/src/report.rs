@@ -1,0 +1,239 @@
+//! Tables for people and CSV for programs.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::io;
+use std::path::Path;
+
+use crate::contest::{Kind, Outcome, Row};
+use crate::ours::Level;
+use crate::peers;
+use crate::quoted;
+
+/// What is measured, told once before the tables.
+#[must_use]
+pub fn legend() -> String {
+    let mut text = String::from(
+        "One thread. Times in ms from object-space positions to the finished buffers, clear included, unless said \
+         otherwise.\nclears: the minimum over that of clearing 1280x720 u32 in the same view's run. x ours: a peer's \
+         minimum over\nthat of the fastest halfplane depth on the same triangles and camera. px: pixels covered.\n",
+    );
+    for (name, what) in peers::WHAT {
+        let _ = writeln!(text, "* {name}: {what}.");
+    }
+    let levels: Vec<&str> = Level::available().into_iter().map(Level::name).collect();
+    let _ = writeln!(text, "Levels of halfplane on this machine, fastest first: {}.", levels.join(", "));
+    text
+}
+
+/// One view's table.
+#[must_use]
+pub fn table(outcome: &Outcome) -> String {
+    let width = outcome.rows.iter().map(|row| label(row).len()).max().unwrap_or(0);
+    let mut text = format!("\n== {}\n", outcome.view);
+    let _ = writeln!(
+        text,
+        "{:width$} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8} {:>6} {:>8} {:>7} {:>9} {:>8}",
+        "",
+        "min",
+        "25 %",
+        "median",
+        "75 %",
+        "max",
+        "mean",
+        "sdev",
+        "frames",
+        "clears",
+        "x ours",
+        "triangles",
+        "px"
+    );
+    for row in &outcome.rows {
+        let s = &row.summary;
+        let ratio = outcome.ours_beside(row).map(|ours| format!("{:.1}", s.min / ours.summary.min));
+        let triangles = (row.triangles > 0).then(|| row.triangles.to_string());
+        let _ = writeln!(
+            text,
+            "{:width$} {:9.3} {:9.3} {:9.3} {:9.3} {:9.3} {:9.3} {:8.3} {:6} {:8.1} {:>7} {:>9} {:>8}",
+            label(row),
+            s.min,
+            s.p25,
+            s.median,
+            s.p75,
+            s.max,
+            s.mean,
+            s.sdev,
+            s.frames,
+            s.min / outcome.clear(),
+            ratio.unwrap_or_default(),
+            triangles.unwrap_or_default(),
+            row.covered.map_or(String::new(), |covered| covered.to_string()),
+        );
+    }
+    if let Some(quoted) = quoted::of(&outcome.view) {
+        let [raw, moc, ryg] =
+            quoted.peers_ms.map(|ms| format!("{ms:.2} ms = {:.1} clears", ms / quoted::CLEAR_MS));
+        let _ = writeln!(text, "quoted, not measured here (see the end): raw {raw}; MOC {moc}; ryg {ryg}");
+    }
+    text
+}
+
+fn label(row: &Row) -> String {
+    if row.moving { format!("{}, moving", row.contender) } else { row.contender.clone() }
+}
+
+/// All views side by side in clears, then the quoted figures and the targets.
+#[must_use]
+pub fn summary(outcomes: &[Outcome]) -> String {
+    let mut text = String::from("\n== all views, in clears (minima; still camera; static triangles)\n");
+    let levels = Level::available();
+    let mut columns: Vec<String> = levels.iter().map(|level| format!("halfplane {}", level.name())).collect();
+    columns.extend(peers::WHAT.map(|(name, _)| name.to_owned()));
+    let view_width = outcomes.iter().map(|outcome| outcome.view.len()).max().unwrap_or(0);
+    let _ = write!(text, "{:view_width$}", "");
+    for column in &columns {
+        let _ = write!(text, "  {column:>10}");
+    }
+    text.push('\n');
+    for outcome in outcomes {
+        let _ = write!(text, "{:view_width$}", outcome.view);
+        let ours = levels.iter().map(|&level| outcome.depth_of(level));
+        let peers =
+            peers::WHAT.map(|(name, _)| outcome.rows.iter().find(|row| row.contender == name && !row.moving));
+        for (column, row) in columns.iter().zip(ours.chain(peers)) {
+            let clears =
+                row.map_or("-".to_owned(), |row| format!("{:.1}", row.summary.min / outcome.clear()));
+            let _ = write!(text, "  {clears:>width$}", width = column.len().max(10));
+        }
+        text.push('\n');
+    }
+    text + &targets(outcomes)
+}
+
+fn targets(outcomes: &[Outcome]) -> String {
+    let mut text = String::new();
+    let fastest = Level::available().first().copied().unwrap_or(Level::Scalar);
+    for outcome in outcomes {
+        let (Some(quoted), Some(ours)) = (quoted::of(&outcome.view), outcome.depth_of(fastest)) else {
+            continue;
+        };
+        if text.is_empty() {
+            let _ = writeln!(
+                text,
+                "\n== beside quoted figures, in clears: raw, MOC and ryg were not measured here but on a Zen 3 machine \
+                 with AVX2,\n   where a clear took {} ms\n{:32} {:>18} {:>8} {:>8} {:>8} {:>12} {:>15}",
+                quoted::CLEAR_MS,
+                "",
+                format!("halfplane {}", fastest.name()),
+                "raw",
+                "MOC",
+                "ryg",
+                "target AVX2",
+                "target AVX-512"
+            );
+        }
+        let [raw, moc, ryg] = quoted.peers_ms.map(|ms| ms / quoted::CLEAR_MS);
+        let [avx2, avx512] = quoted.target_clears;
+        let _ = writeln!(
+            text,
+            "{:32} {:18.1} {raw:8.1} {moc:8.1} {ryg:8.1} {avx2:12.1} {avx512:15.1}",
+            outcome.view,
+            ours.summary.min / outcome.clear()
+        );
+    }
+    if !text.is_empty() {
+        for (name, what) in quoted::WHAT {
+            let _ = writeln!(text, "* {name}: {what}.");
+        }
+    }
+    text
+}
+
+/// Every row of every view, one a line.
+#[must_use]
+pub fn csv(outcomes: &[Outcome]) -> String {
+    let mut text = String::from(
+        "view,width,height,contender,kind,moving,triangles,covered,frames,\
+         min_ms,p25_ms,median_ms,p75_ms,max_ms,mean_ms,sdev_ms,clears\n",
+    );
+    for outcome in outcomes {
+        for row in &outcome.rows {
+            let s = &row.summary;
+            let kind = match row.kind {
+                Kind::Unit | Kind::Limit => "limit",
+                Kind::Ours | Kind::OursVisible => "ours",
+                Kind::Peer | Kind::Peer2d => "peer",
+            };
+            let _ = writeln!(
+                text,
+                "\"{}\",{},{},\"{}\",{kind},{},{},{},{},{:.6},{:.6},{:.6},{:.6},{:.6},{:.6},{:.6},{:.3}",
+                outcome.view,
+                outcome.size.0,
+                outcome.size.1,
+                row.contender,
+                row.moving,
+                row.triangles,
+                row.covered.map_or(String::new(), |covered| covered.to_string()),
+                s.frames,
+                s.min,
+                s.p25,
+                s.median,
+                s.p75,
+                s.max,
+                s.mean,
+                s.sdev,
+                s.min / outcome.clear(),
+            );
+        }
+    }
+    text
+}
+
+/// Writes the CSV, with its folder.
+///
+/// # Errors
+///
+/// What the file system says.
+pub fn write_csv(path: &Path, outcomes: &[Outcome]) -> io::Result<()> {
+    if let Some(folder) = path.parent() {
+        fs::create_dir_all(folder)?;
+    }
+    fs::write(path, csv(outcomes))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::protocol::Summary;
+
+    #[test]
+    fn tables_have_every_row() {
+        let row = |contender: &str, kind, min| Row {
+            contender: contender.to_owned(),
+            kind,
+            moving: false,
+            triangles: 10,
+            covered: Some(5),
+            summary: Summary { frames: 3, min, ..Summary::default() },
+        };
+        let ours = format!("halfplane {} depth", Level::available()[0].name());
+        let outcome = Outcome {
+            view: "castle main 1280x720".to_owned(),
+            size: (1280, 720),
+            rows: vec![
+                row("clear", Kind::Unit, 0.5),
+                row(&ours, Kind::Ours, 2.0),
+                row("euc", Kind::Peer, 13.0),
+            ],
+        };
+        let table = table(&outcome);
+        assert!(
+            table.contains("6.5") && table.contains("26.0") && table.contains("quoted, not measured"),
+            "{table}"
+        );
+        let outcomes = [outcome];
+        assert_eq!(csv(&outcomes).lines().count(), 4);
+        let summary = summary(&outcomes);
+        assert!(summary.contains("26.0") && summary.contains("target AVX2"), "{summary}");
+    }
+}
