@@ -21,7 +21,7 @@ pub fn check<S: Strategy>(cases: Cases, strategy: S, property: impl Fn(S::Value)
     let config = Config {
         cases: cases.scaled(),
         failure_persistence: None,
-        max_shrink_iters: 4_000,
+        max_shrink_time: 15_000,
         ..Config::default()
     };
     let mut bytes = [0; 32];

@@ -19,8 +19,14 @@ fn equals_definition<F: Format>() {
     });
 }
 
+fn bounds<F: Format>() {
+    check(sizes::COVERAGE, shot::<F>(), |shot| {
+        coverage::bounds_are_half_open::<F>(&shot.frame, &shot.corners)
+    });
+}
+
 macro_rules! for_each_format {
-    ($($format:ident $reference:ident $definition:ident;)+) => {
+    ($($format:ident $reference:ident $definition:ident $bounds:ident;)+) => {
         $(
             #[test]
             fn $reference() {
@@ -31,13 +37,18 @@ macro_rules! for_each_format {
             fn $definition() {
                 equals_definition::<$format>();
             }
+
+            #[test]
+            fn $bounds() {
+                bounds::<$format>();
+            }
         )+
     };
 }
 
 for_each_format! {
-    Standard coverage_equals_reference_standard coverage_equals_definition_standard;
-    Small coverage_equals_reference_small coverage_equals_definition_small;
-    Middle coverage_equals_reference_middle coverage_equals_definition_middle;
-    Toy coverage_equals_reference_toy coverage_equals_definition_toy;
+    Standard coverage_equals_reference_standard coverage_equals_definition_standard bounds_are_half_open_standard;
+    Small coverage_equals_reference_small coverage_equals_definition_small bounds_are_half_open_small;
+    Middle coverage_equals_reference_middle coverage_equals_definition_middle bounds_are_half_open_middle;
+    Toy coverage_equals_reference_toy coverage_equals_definition_toy bounds_are_half_open_toy;
 }

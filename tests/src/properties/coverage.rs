@@ -1,7 +1,9 @@
 //! Coverage equals the reference, sample by sample.
 
-use crate::{Failure, Frame, ensure, failure::Verdict, frame::window_vertices, oracle, shapes::Corners};
-use halfplane::{Coverage, Format, Statistics, blocks, draw};
+use crate::{
+    Failure, Frame, ensure, ensure_eq, failure::Verdict, frame::window_vertices, oracle, shapes::Corners,
+};
+use halfplane::{Coverage, Culled, Format, Region, Statistics, Triangle, blocks, draw};
 
 /// The core's coverage of one triangle, a row-major picture of the frame's region.
 pub fn drawn<F: Format>(frame: &Frame, corners: &Corners) -> Result<(Statistics, Vec<bool>), Failure> {
@@ -31,5 +33,32 @@ fn same(frame: &Frame, (statistics, given): &(Statistics, Vec<bool>), expected: 
     }
     let any = expected.iter().any(|&covered| covered);
     ensure!((statistics.drawn == 1) == any, "something is covered: {any}, but {statistics}");
+    Ok(())
+}
+
+/// The bounds of a set-up triangle are the pixels of the scissor whose samples lie in its extent, left
+/// and top ends included, right and bottom ends excluded; or the cause why there is none.
+pub fn bounds_are_half_open<F: Format>(frame: &Frame, corners: &Corners) -> Verdict {
+    let Some(triangle) = Triangle::new(window_vertices::<F>(corners, [9; 3])?, frame.core_sample()?) else {
+        return Ok(());
+    };
+    let [x0, y0, x1, y1] = frame.scissor;
+    let given = triangle.bounds(Region::new(x0, y0, x1, y1)?).map(|r| [r.x0(), r.y0(), r.x1(), r.y1()]);
+    let within = |axis: usize, first: u32, end: u32| {
+        let values = corners.map(|corner| i64::from(corner[axis]));
+        let low = values.iter().min().copied().unwrap_or(0);
+        let high = values.iter().max().copied().unwrap_or(0);
+        let sample = |pixel: u32| (i64::from(pixel) << F::SUBPIXEL_BITS) + i64::from(frame.sample[axis]);
+        let pixels: Vec<u32> = (first..end).filter(|&p| low <= sample(p) && sample(p) < high).collect();
+        let corner = |pixel: u32| i64::from(pixel) << F::SUBPIXEL_BITS;
+        (pixels.first().copied().zip(pixels.last().map(|p| p + 1)), high > corner(first) && low < corner(end))
+    };
+    let ((columns, meets_x), (rows, meets_y)) = (within(0, x0, x1), within(1, y0, y1));
+    let expected = match (columns, rows) {
+        (Some((left, right)), Some((top, bottom))) => Ok([left, top, right, bottom]),
+        _ if meets_x && meets_y => Err(Culled::NoSample),
+        _ => Err(Culled::Outside),
+    };
+    ensure_eq!(given, expected, "bounds");
     Ok(())
 }
