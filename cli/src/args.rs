@@ -98,6 +98,9 @@ pub struct Options {
     /// The folder for the pictures; made if it is not there
     #[arg(long, value_name = "DIR", default_value = "out")]
     pub out: PathBuf,
+    /// Draw every pixel as a square of this many in the PNG files: for looking at single pixels
+    #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=64))]
+    pub zoom: u32,
     /// Also write depth.u32 and ids.u32: rows from the top, 32-bit little-endian numbers
     #[arg(long)]
     pub raw: bool,

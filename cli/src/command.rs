@@ -14,7 +14,7 @@ use crate::error::Error;
 use crate::load::{self, Format};
 use crate::mesh::Mesh;
 use crate::output::{OutputError, Outputs};
-use crate::picture::{self, Look};
+use crate::picture::{self, Look, Zoom};
 use crate::render::{Picture, RenderError, Settings, render, to_clip};
 use crate::scene;
 use crate::verify;
@@ -27,14 +27,15 @@ use crate::verify;
 pub fn run_render(file: Option<&Path>, options: &Options) -> Result<(), Error> {
     let mut drawn = draw(file, options)?;
     let Drawn { subject, matrix, picture, .. } = &drawn;
-    let (width, height) = (picture.width, picture.height);
+    let zoom = Zoom { width: picture.width, height: picture.height, times: options.zoom };
+    let (width, height) = zoom.size();
 
     let started = Instant::now();
     let shaded = picture::shaded(&subject.mesh, matrix, picture, subject.look)?;
     let mut outputs = Outputs::new(&options.out);
-    outputs.add("depth.png", picture::grey16(width, height, &picture::grey(picture)));
-    outputs.add("ids.png", picture::rgb8(width, height, &picture::colours(&picture.ids)));
-    outputs.add("shaded.png", picture::rgb8(width, height, &shaded));
+    outputs.add("depth.png", picture::grey16(width, height, &zoom.enlarge(&picture::grey(picture))));
+    outputs.add("ids.png", picture::rgb8(width, height, &zoom.enlarge(&picture::colours(&picture.ids))));
+    outputs.add("shaded.png", picture::rgb8(width, height, &zoom.enlarge(&shaded)));
     if options.raw {
         outputs.add("depth.u32", little_endian(&picture.depth));
         outputs.add("ids.u32", little_endian(&picture.ids));
