@@ -9,6 +9,7 @@
 mod attachment;
 mod cull;
 mod fetch;
+mod level;
 mod ops;
 mod pipeline;
 mod queue;
@@ -17,6 +18,6 @@ mod setup;
 mod vertex;
 
 pub use attachment::RowAttachment;
-pub use fearless_simd::Level;
+pub use level::Level;
 pub use pipeline::{Triangles, draw};
 pub use vertex::Snapped;

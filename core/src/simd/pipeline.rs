@@ -3,6 +3,7 @@
 use super::{
     attachment::RowAttachment,
     cull::Culling,
+    level::Level,
     queue::Queue,
     rows::{Solved, draw_any, draw_small},
     setup::{Batch, DepthSetup, set_up},
@@ -15,7 +16,7 @@ use crate::{
     numbers::Standard,
     transform::ModelPositions,
 };
-use fearless_simd::{Level, Simd, dispatch};
+use fearless_simd::{Simd, dispatch};
 
 /// A triangle list whose indices have been checked, once for many draws.
 #[derive(Clone, Copy, Debug)]
@@ -60,9 +61,10 @@ pub fn draw<I: Index, A: RowAttachment>(
     if triangles.vertices > vertices {
         draw::check_indices(indices, vertices)?;
     }
-    if !attachments.fast() {
-        return draw::draw(positions, indices, first_id, state, attachments);
-    }
+    let level = match level.0 {
+        Some(level) if attachments.fast() => level,
+        _ => return draw::draw(positions, indices, first_id, state, attachments),
+    };
     let given = records.len();
     let Some(records) = records.get_mut(..vertices) else {
         return Err(DrawError::ScratchTooSmall { needed: vertices, given });

@@ -147,8 +147,7 @@ fn frustum_code<S: Simd>(simd: S, [x, y, z, w]: [f32x8<S>; 4]) -> i32x8<S> {
         | bit(simd, x.simd_gt(w), 16)
         | bit(simd, y.simd_gt(w), 32)
         | bit(simd, y.simd_lt(-w), 64);
-    // x - x is 0 for finite numbers only.
-    let finite = ((x - x) + (y - y) + (z - z) + (w - w)).simd_eq(zero);
+    let finite = x.is_finite() & y.is_finite() & z.is_finite() & w.is_finite();
     finite.select(code, i32x8::splat(simd, 0)) | i32x8::splat(simd, SPECIAL)
 }
 
