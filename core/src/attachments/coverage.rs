@@ -32,7 +32,14 @@ impl<'a, F: Format> Coverage<'a, F> {
     /// The storage.
     #[cfg(feature = "simd")]
     #[inline]
-    pub(crate) const fn tiled(&mut self) -> &mut Tiled<'a, F, u16> {
+    pub(crate) const fn tiled(&self) -> &Tiled<'a, F, u16> {
+        &self.masks
+    }
+
+    /// The storage, to be written.
+    #[cfg(feature = "simd")]
+    #[inline]
+    pub(crate) const fn tiled_mut(&mut self) -> &mut Tiled<'a, F, u16> {
         &mut self.masks
     }
 

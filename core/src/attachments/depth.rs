@@ -90,7 +90,14 @@ impl<'a, F: Format, D: DepthFormat<F>> Depth<'a, F, D> {
     /// The storage.
     #[cfg(feature = "simd")]
     #[inline]
-    pub(crate) const fn tiled(&mut self) -> &mut Tiled<'a, F, [D::Texel; 16]> {
+    pub(crate) const fn tiled(&self) -> &Tiled<'a, F, [D::Texel; 16]> {
+        &self.texels
+    }
+
+    /// The storage, to be written.
+    #[cfg(feature = "simd")]
+    #[inline]
+    pub(crate) const fn tiled_mut(&mut self) -> &mut Tiled<'a, F, [D::Texel; 16]> {
         &mut self.texels
     }
 

@@ -40,7 +40,14 @@ impl<'a, F: Format> Ids<'a, F> {
     /// The storage.
     #[cfg(feature = "simd")]
     #[inline]
-    pub(crate) const fn tiled(&mut self) -> &mut Tiled<'a, F, [u32; 16]> {
+    pub(crate) const fn tiled(&self) -> &Tiled<'a, F, [u32; 16]> {
+        &self.texels
+    }
+
+    /// The storage, to be written.
+    #[cfg(feature = "simd")]
+    #[inline]
+    pub(crate) const fn tiled_mut(&mut self) -> &mut Tiled<'a, F, [u32; 16]> {
         &mut self.texels
     }
 

@@ -65,6 +65,8 @@ pub(super) fn at_least(needed: usize, given: usize) -> Result<(), StorageError> 
 #[derive(Debug)]
 pub struct Tiled<'a, F, T> {
     region: Region<F>,
+    /// Blocks in a row.
+    pitch: u32,
     blocks: &'a mut [T],
 }
 
@@ -81,7 +83,7 @@ impl<'a, F: Format, T> Tiled<'a, F, T> {
         }
         let (needed, given) = (self::blocks(region.width(), region.height()), blocks.len());
         match blocks.get_mut(..needed) {
-            Some(blocks) => Ok(Self { region, blocks }),
+            Some(blocks) => Ok(Self { region, pitch: region.width().div_ceil(4), blocks }),
             None => Err(StorageError::BufferTooSmall { needed, given }),
         }
     }
@@ -114,15 +116,28 @@ impl<'a, F: Format, T> Tiled<'a, F, T> {
         self.blocks
     }
 
-    /// `count` blocks of a row from the one whose first pixel is (`x`, `y`) on; none where they are not
-    /// all in the storage.
+    /// The place of the block whose first pixel is (`x`, `y`), if it is in the region.
     #[cfg(feature = "simd")]
     #[inline(always)]
-    pub(crate) fn row_mut(&mut self, x: u32, y: u32, count: u32) -> &mut [T] {
-        let pitch = self.region.width().div_ceil(4);
+    pub(crate) const fn place(&self, x: u32, y: u32) -> usize {
         let row = y.wrapping_sub(self.region.y0()) >> 2;
         let column = x.wrapping_sub(self.region.x0()) >> 2;
-        let first = row.wrapping_mul(pitch).wrapping_add(column) as usize;
+        row.wrapping_mul(self.pitch).wrapping_add(column) as usize
+    }
+
+    /// The place one row of blocks below.
+    #[cfg(feature = "simd")]
+    #[inline(always)]
+    pub(crate) const fn below(&self, place: usize) -> usize {
+        place.wrapping_add(self.pitch as usize)
+    }
+
+    /// `count` blocks from the one `from` blocks to the right of a place; none where they are not all in
+    /// the storage.
+    #[cfg(feature = "simd")]
+    #[inline(always)]
+    pub(crate) fn row_mut(&mut self, place: usize, from: u32, count: u32) -> &mut [T] {
+        let first = place.wrapping_add(from as usize);
         self.blocks.get_mut(first..).and_then(|row| row.get_mut(..count as usize)).unwrap_or(&mut [])
     }
 
@@ -133,8 +148,7 @@ impl<'a, F: Format, T> Tiled<'a, F, T> {
         if column >= self.region.width() || row >= self.region.height() {
             return None;
         }
-        let pitch = self.region.width().div_ceil(4);
-        Some((row / 4 * pitch + column / 4) as usize)
+        Some((row / 4 * self.pitch + column / 4) as usize)
     }
 
     #[inline]
@@ -182,7 +196,7 @@ impl<'a, F: Format, E: Copy> Tiled<'a, F, [E; 16]> {
     pub fn to_linear(&self, rows: &mut [E]) -> Result<(), StorageError> {
         let (width, height) = (self.region.width() as usize, self.region.height() as usize);
         at_least(width * height, rows.len())?;
-        let pitch = width.div_ceil(4);
+        let pitch = self.pitch as usize;
         for (y, row) in rows.chunks_exact_mut(width.max(1)).take(height).enumerate() {
             let blocks = self.blocks.iter().skip(y / 4 * pitch);
             for (pixels, block) in row.chunks_mut(4).zip(blocks) {

@@ -38,6 +38,8 @@ pub(super) mod rows {
         type Row<'r>: Iterator
         where
             Self: 'r;
+        /// The place of a block in the storage.
+        type Cursor: Copy;
 
         /// Whether this attachment's state is one that rows are written for.
         fn fast(&self) -> bool;
@@ -46,10 +48,16 @@ pub(super) mod rows {
         fn prepare<S: Simd>(&self, simd: S, depth: &DepthPlane, id: u32) -> Self::Lanes<S>;
 
         /// Begins a row, where the depth plane's value is `depth` at the first sample.
-        fn begin_row<S: Simd>(lanes: &mut Self::Lanes<S>, depth: u64);
+        fn begin_row<S: Simd>(simd: S, lanes: &mut Self::Lanes<S>, depth: u64);
 
-        /// The blocks from pixel (`x`, `y`) on.
-        fn row(&mut self, x: u32, y: u32, blocks: u32) -> Self::Row<'_>;
+        /// The place of the block at pixel (`x`, `y`).
+        fn cursor(&self, x: u32, y: u32) -> Self::Cursor;
+
+        /// The place below.
+        fn next_row(&self, cursor: Self::Cursor) -> Self::Cursor;
+
+        /// `blocks` blocks from the one `from` blocks to the right of a place.
+        fn row(&mut self, cursor: Self::Cursor, from: u32, blocks: u32) -> Self::Row<'_>;
 
         /// Writes one block, given the samples outside the triangle; returns those that later
         /// attachments are not to see.
@@ -65,12 +73,31 @@ pub(super) mod rows {
 }
 use rows::Rows;
 
-/// The depths of a block: a base that steps from block to block, and offsets from there.
+/// The depths of a block: a base that steps from block to block, the same in every lane, and offsets
+/// from there.
 #[derive(Clone, Copy)]
-pub struct DepthLanes<O> {
+pub struct DepthLanes<S: Simd, O> {
     offsets: O,
-    base: u64,
-    step: u64,
+    base: u64x4<S>,
+    step: u64x4<S>,
+}
+
+impl<S: Simd, O> DepthLanes<S, O> {
+    #[inline(always)]
+    fn new(simd: S, offsets: O, plane: &DepthPlane) -> Self {
+        let step = u64x4::splat(simd, plane.x.wrapping_mul(4));
+        Self { offsets, base: u64x4::splat(simd, 0), step }
+    }
+
+    /// The upper half of the base in each of eight lanes; then the next block's base.
+    #[inline(always)]
+    fn next(&mut self, simd: S) -> u32x8<S> {
+        let upper = self.base >> 32;
+        let even = u32x8::simd_from(simd, [1, 0, 1, 0, 1, 0, 1, 0]).simd_eq(u32x8::splat(simd, 1));
+        let base = even.select(upper.bitcast::<u32x8<S>>(), self.base.bitcast());
+        self.base += self.step;
+        base
+    }
 }
 
 /// The offsets of a block's sixteen samples from its first, rounded to 32 bits.
@@ -92,11 +119,12 @@ fn offsets<S: Simd>(simd: S, plane: &DepthPlane, half: u64) -> u32x16<S> {
 
 impl Rows for Depth<'_, Standard, D32> {
     const DEPTH: DepthSetup = DepthSetup::D32;
-    type Lanes<S: Simd> = DepthLanes<u32x16<S>>;
+    type Lanes<S: Simd> = DepthLanes<S, u32x16<S>>;
     type Row<'r>
         = IterMut<'r, [u32; 16]>
     where
         Self: 'r;
+    type Cursor = usize;
 
     #[inline]
     fn fast(&self) -> bool {
@@ -105,17 +133,27 @@ impl Rows for Depth<'_, Standard, D32> {
 
     #[inline(always)]
     fn prepare<S: Simd>(&self, simd: S, depth: &DepthPlane, _id: u32) -> Self::Lanes<S> {
-        DepthLanes { offsets: offsets(simd, depth, 1 << 31), base: 0, step: depth.x.wrapping_mul(4) }
+        DepthLanes::new(simd, offsets(simd, depth, 1 << 31), depth)
     }
 
     #[inline(always)]
-    fn begin_row<S: Simd>(lanes: &mut Self::Lanes<S>, depth: u64) {
-        lanes.base = depth.wrapping_add(1 << 31);
+    fn begin_row<S: Simd>(simd: S, lanes: &mut Self::Lanes<S>, depth: u64) {
+        lanes.base = u64x4::splat(simd, depth.wrapping_add(1 << 31));
     }
 
     #[inline(always)]
-    fn row(&mut self, x: u32, y: u32, blocks: u32) -> Self::Row<'_> {
-        self.tiled().row_mut(x, y, blocks).iter_mut()
+    fn cursor(&self, x: u32, y: u32) -> usize {
+        self.tiled().place(x, y)
+    }
+
+    #[inline(always)]
+    fn next_row(&self, cursor: usize) -> usize {
+        self.tiled().below(cursor)
+    }
+
+    #[inline(always)]
+    fn row(&mut self, cursor: usize, from: u32, blocks: u32) -> Self::Row<'_> {
+        self.tiled_mut().row_mut(cursor, from, blocks).iter_mut()
     }
 
     #[inline(always)]
@@ -128,8 +166,8 @@ impl Rows for Depth<'_, Standard, D32> {
     where
         Self: 'r,
     {
-        let depths = lanes.offsets + u32x16::splat(simd, (lanes.base >> 32) as u32);
-        lanes.base = lanes.base.wrapping_add(lanes.step);
+        let base = lanes.next(simd);
+        let depths = lanes.offsets + simd.combine_u32x8(base, base);
         // Outside, the largest value, which wins nowhere.
         let never = outside.select(u32x16::splat(simd, u32::MAX), u32x16::splat(simd, 0));
         let stored = u32x16::simd_from(simd, *block);
@@ -141,11 +179,12 @@ impl Rows for Depth<'_, Standard, D32> {
 
 impl Rows for Depth<'_, Standard, D16> {
     const DEPTH: DepthSetup = DepthSetup::D16;
-    type Lanes<S: Simd> = DepthLanes<u16x16<S>>;
+    type Lanes<S: Simd> = DepthLanes<S, u16x16<S>>;
     type Row<'r>
         = IterMut<'r, [u16; 16]>
     where
         Self: 'r;
+    type Cursor = usize;
 
     #[inline]
     fn fast(&self) -> bool {
@@ -157,17 +196,27 @@ impl Rows for Depth<'_, Standard, D16> {
         let mut wide = [0; 16];
         offsets(simd, depth, 1 << 47).store_slice(&mut wide);
         let offsets = u16x16::simd_from(simd, wide.map(upper_half));
-        DepthLanes { offsets, base: 0, step: depth.x.wrapping_mul(4) }
+        DepthLanes::new(simd, offsets, depth)
     }
 
     #[inline(always)]
-    fn begin_row<S: Simd>(lanes: &mut Self::Lanes<S>, depth: u64) {
-        lanes.base = depth.wrapping_add(1 << 47);
+    fn begin_row<S: Simd>(simd: S, lanes: &mut Self::Lanes<S>, depth: u64) {
+        lanes.base = u64x4::splat(simd, depth.wrapping_add(1 << 47));
     }
 
     #[inline(always)]
-    fn row(&mut self, x: u32, y: u32, blocks: u32) -> Self::Row<'_> {
-        self.tiled().row_mut(x, y, blocks).iter_mut()
+    fn cursor(&self, x: u32, y: u32) -> usize {
+        self.tiled().place(x, y)
+    }
+
+    #[inline(always)]
+    fn next_row(&self, cursor: usize) -> usize {
+        self.tiled().below(cursor)
+    }
+
+    #[inline(always)]
+    fn row(&mut self, cursor: usize, from: u32, blocks: u32) -> Self::Row<'_> {
+        self.tiled_mut().row_mut(cursor, from, blocks).iter_mut()
     }
 
     #[inline(always)]
@@ -180,8 +229,9 @@ impl Rows for Depth<'_, Standard, D16> {
     where
         Self: 'r,
     {
-        let depths = lanes.offsets + u16x16::splat(simd, (lanes.base >> 48) as u16);
-        lanes.base = lanes.base.wrapping_add(lanes.step);
+        let base = lanes.next(simd) >> 16;
+        let base: u16x16<S> = (base | base << 16).bitcast();
+        let depths = lanes.offsets + base;
         let never = outside.select(i32x16::splat(simd, -1), i32x16::splat(simd, 0));
         let (low, high) = simd.split_i32x16(never);
         let never: u16x16<S> = simd.saturating_narrow_i32x8(low, high).bitcast();
@@ -206,6 +256,7 @@ impl Rows for Ids<'_, Standard> {
         = IterMut<'r, [u32; 16]>
     where
         Self: 'r;
+    type Cursor = usize;
 
     #[inline]
     fn fast(&self) -> bool {
@@ -218,11 +269,21 @@ impl Rows for Ids<'_, Standard> {
     }
 
     #[inline(always)]
-    fn begin_row<S: Simd>(_lanes: &mut Self::Lanes<S>, _depth: u64) {}
+    fn begin_row<S: Simd>(_simd: S, _lanes: &mut Self::Lanes<S>, _depth: u64) {}
 
     #[inline(always)]
-    fn row(&mut self, x: u32, y: u32, blocks: u32) -> Self::Row<'_> {
-        self.tiled().row_mut(x, y, blocks).iter_mut()
+    fn cursor(&self, x: u32, y: u32) -> usize {
+        self.tiled().place(x, y)
+    }
+
+    #[inline(always)]
+    fn next_row(&self, cursor: usize) -> usize {
+        self.tiled().below(cursor)
+    }
+
+    #[inline(always)]
+    fn row(&mut self, cursor: usize, from: u32, blocks: u32) -> Self::Row<'_> {
+        self.tiled_mut().row_mut(cursor, from, blocks).iter_mut()
     }
 
     #[inline(always)]
@@ -248,6 +309,7 @@ impl Rows for Coverage<'_, Standard> {
         = IterMut<'r, u16>
     where
         Self: 'r;
+    type Cursor = usize;
 
     #[inline]
     fn fast(&self) -> bool {
@@ -258,11 +320,21 @@ impl Rows for Coverage<'_, Standard> {
     fn prepare<S: Simd>(&self, _simd: S, _depth: &DepthPlane, _id: u32) {}
 
     #[inline(always)]
-    fn begin_row<S: Simd>((): &mut (), _depth: u64) {}
+    fn begin_row<S: Simd>(_simd: S, (): &mut (), _depth: u64) {}
 
     #[inline(always)]
-    fn row(&mut self, x: u32, y: u32, blocks: u32) -> Self::Row<'_> {
-        self.tiled().row_mut(x, y, blocks).iter_mut()
+    fn cursor(&self, x: u32, y: u32) -> usize {
+        self.tiled().place(x, y)
+    }
+
+    #[inline(always)]
+    fn next_row(&self, cursor: usize) -> usize {
+        self.tiled().below(cursor)
+    }
+
+    #[inline(always)]
+    fn row(&mut self, cursor: usize, from: u32, blocks: u32) -> Self::Row<'_> {
+        self.tiled_mut().row_mut(cursor, from, blocks).iter_mut()
     }
 
     #[inline(always)]
@@ -285,6 +357,7 @@ impl<A: Rows, B: Rows> Rows for (A, B) {
         = Zip<A::Row<'r>, B::Row<'r>>
     where
         Self: 'r;
+    type Cursor = (A::Cursor, B::Cursor);
 
     #[inline]
     fn fast(&self) -> bool {
@@ -297,14 +370,24 @@ impl<A: Rows, B: Rows> Rows for (A, B) {
     }
 
     #[inline(always)]
-    fn begin_row<S: Simd>(lanes: &mut Self::Lanes<S>, depth: u64) {
-        A::begin_row::<S>(&mut lanes.0, depth);
-        B::begin_row::<S>(&mut lanes.1, depth);
+    fn begin_row<S: Simd>(simd: S, lanes: &mut Self::Lanes<S>, depth: u64) {
+        A::begin_row(simd, &mut lanes.0, depth);
+        B::begin_row(simd, &mut lanes.1, depth);
     }
 
     #[inline(always)]
-    fn row(&mut self, x: u32, y: u32, blocks: u32) -> Self::Row<'_> {
-        self.0.row(x, y, blocks).zip(self.1.row(x, y, blocks))
+    fn cursor(&self, x: u32, y: u32) -> Self::Cursor {
+        (self.0.cursor(x, y), self.1.cursor(x, y))
+    }
+
+    #[inline(always)]
+    fn next_row(&self, (a, b): Self::Cursor) -> Self::Cursor {
+        (self.0.next_row(a), self.1.next_row(b))
+    }
+
+    #[inline(always)]
+    fn row(&mut self, (a, b): Self::Cursor, from: u32, blocks: u32) -> Self::Row<'_> {
+        self.0.row(a, from, blocks).zip(self.1.row(b, from, blocks))
     }
 
     #[inline(always)]
@@ -329,6 +412,7 @@ impl<A: Rows> Rows for &mut A {
         = A::Row<'r>
     where
         Self: 'r;
+    type Cursor = A::Cursor;
 
     #[inline]
     fn fast(&self) -> bool {
@@ -341,13 +425,23 @@ impl<A: Rows> Rows for &mut A {
     }
 
     #[inline(always)]
-    fn begin_row<S: Simd>(lanes: &mut Self::Lanes<S>, depth: u64) {
-        A::begin_row::<S>(lanes, depth);
+    fn begin_row<S: Simd>(simd: S, lanes: &mut Self::Lanes<S>, depth: u64) {
+        A::begin_row(simd, lanes, depth);
     }
 
     #[inline(always)]
-    fn row(&mut self, x: u32, y: u32, blocks: u32) -> Self::Row<'_> {
-        (**self).row(x, y, blocks)
+    fn cursor(&self, x: u32, y: u32) -> Self::Cursor {
+        (**self).cursor(x, y)
+    }
+
+    #[inline(always)]
+    fn next_row(&self, cursor: Self::Cursor) -> Self::Cursor {
+        (**self).next_row(cursor)
+    }
+
+    #[inline(always)]
+    fn row(&mut self, cursor: Self::Cursor, from: u32, blocks: u32) -> Self::Row<'_> {
+        (**self).row(cursor, from, blocks)
     }
 
     #[inline(always)]

@@ -109,24 +109,26 @@ const NOWHERE: i32 = 1 << 20;
 trait Rows<S: Simd>: Sized {
     /// The samples of the next eight rows: where they begin, in pixels from the origin, and how many
     /// there are, maybe less than none.
-    fn next(&mut self, simd: S) -> (i32x8<S>, i32x8<S>);
+    fn eight(&mut self, simd: S) -> (i32x8<S>, i32x8<S>);
+
+    /// Goes on to the eight rows after those.
+    fn advance(&mut self, simd: S);
 }
 
 /// Eight rows in `f32`.
-struct Single<S: Simd> {
+struct Single<'a, S: Simd> {
+    lines: &'a [Line<f32>; 3],
     values: [f32x8<S>; 3],
-    steps: [f32; 3],
-    factors: [f32; 3],
     third: f32x8<S>,
     first: f32x8<S>,
     end: f32x8<S>,
 }
 
-impl<S: Simd> Single<S> {
+impl<'a, S: Simd> Single<'a, S> {
     #[inline(always)]
-    fn new(simd: S, solved: &Solved<f32>) -> Self {
+    fn new(simd: S, solved: &'a Solved<f32>) -> Self {
         let [x0, x1, ..] = solved.bounds;
-        let [left, right, third] = solved.lines;
+        let [left, right, third] = &solved.lines;
         let rows = f32x8::simd_from(simd, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
         Self {
             values: [
@@ -134,8 +136,7 @@ impl<S: Simd> Single<S> {
                 rows * right.step + right.value,
                 rows * third.step + third.value,
             ],
-            steps: [8.0 * left.step, 8.0 * right.step, 8.0 * third.step],
-            factors: [left.factor, right.factor, third.factor],
+            lines: &solved.lines,
             third: f32x8::splat(simd, solved.third),
             first: f32x8::splat(simd, (x0 & 3) as f32),
             end: f32x8::splat(simd, (x1 - (x0 & !3)) as f32),
@@ -143,17 +144,24 @@ impl<S: Simd> Single<S> {
     }
 }
 
-impl<S: Simd> Rows<S> for Single<S> {
+impl<S: Simd> Rows<S> for Single<'_, S> {
     #[inline(always)]
-    fn next(&mut self, _simd: S) -> (i32x8<S>, i32x8<S>) {
-        let ([left, right, third], [left_factor, right_factor, third_factor]) = (self.values, self.factors);
-        let [left_step, right_step, third_step] = self.steps;
-        self.values = [left + left_step, right + right_step, third + third_step];
-        let crossing = third * third_factor;
-        let begin = (left * left_factor).max(crossing.min(self.third)).max(self.first).min(self.end).ceil();
-        let close = (right * right_factor).min(crossing.max(self.third)).max(self.first).min(self.end).ceil();
+    fn eight(&mut self, _simd: S) -> (i32x8<S>, i32x8<S>) {
+        let ([left, right, third], [left_line, right_line, third_line]) = (self.values, self.lines);
+        let crossing = third * third_line.factor;
+        let begin =
+            (left * left_line.factor).max(crossing.min(self.third)).max(self.first).min(self.end).ceil();
+        let close =
+            (right * right_line.factor).min(crossing.max(self.third)).max(self.first).min(self.end).ceil();
         let (begin, close) = (i32x8::truncate_from(begin), i32x8::truncate_from(close));
         (begin, close - begin)
+    }
+
+    #[inline(always)]
+    fn advance(&mut self, _simd: S) {
+        let ([left, right, third], [left_line, right_line, third_line]) = (self.values, self.lines);
+        self.values =
+            [left + 8.0 * left_line.step, right + 8.0 * right_line.step, third + 8.0 * third_line.step];
     }
 }
 
@@ -202,13 +210,16 @@ impl<S: Simd> Double<S> {
 
 impl<S: Simd> Rows<S> for Double<S> {
     #[inline(always)]
-    fn next(&mut self, simd: S) -> (i32x8<S>, i32x8<S>) {
+    fn eight(&mut self, simd: S) -> (i32x8<S>, i32x8<S>) {
         let ((begin0, close0), (begin1, close1)) = (self.four(), self.four());
         // Whole numbers of at most 15 bits.
         let begin = i32x8::truncate_from(simd.narrow_f64x4(begin0, begin1));
         let close = i32x8::truncate_from(simd.narrow_f64x4(close0, close1));
         (begin, close - begin)
     }
+
+    #[inline(always)]
+    fn advance(&mut self, _simd: S) {}
 }
 
 /// Draws a triangle of small extent. Whether it covers a sample.
@@ -222,7 +233,16 @@ pub(super) fn draw_small<S: Simd, A: RowAttachment>(
 ) -> bool {
     simd.vectorize(
         #[inline(always)]
-        || draw_rows(simd, Single::new(simd, solved), &solved.depth, solved.bounds, region, id, attachments),
+        || {
+            let span = Span { plane: &solved.depth, bounds: solved.bounds, region, id };
+            let rows = Single::new(simd, solved);
+            let [x0, x1, ..] = solved.bounds;
+            if (x1 - (x0 & !3)).div_ceil(4) <= NARROW {
+                draw_rows::<true, _, _, _>(simd, rows, &span, attachments)
+            } else {
+                draw_rows::<false, _, _, _>(simd, rows, &span, attachments)
+            }
+        },
     )
 }
 
@@ -237,32 +257,48 @@ pub(super) fn draw_any<S: Simd, A: RowAttachment>(
 ) -> bool {
     simd.vectorize(
         #[inline(always)]
-        || draw_rows(simd, Double::new(simd, solved), &solved.depth, solved.bounds, region, id, attachments),
+        || {
+            let span = Span { plane: &solved.depth, bounds: solved.bounds, region, id };
+            draw_rows::<false, _, _, _>(simd, Double::new(simd, solved), &span, attachments)
+        },
     )
 }
 
-#[inline(always)]
-fn draw_rows<S: Simd, R: Rows<S>, A: RowAttachment>(
-    simd: S,
-    mut rows: R,
-    plane: &DepthPlane,
-    [x0, x1, y0, y1]: [u32; 4],
+/// Rows of at most this many blocks are drawn whole: finding their ends costs more.
+const NARROW: u32 = 4;
+
+/// What does not depend on how rows are solved.
+struct Span<'a> {
+    plane: &'a DepthPlane,
+    bounds: [u32; 4],
     region: Region<Standard>,
     id: u32,
+}
+
+/// Draws eight rows at a time; all blocks of the bounds where `WHOLE`, else those from the first sample
+/// to the last of each four rows.
+#[inline(always)]
+fn draw_rows<const WHOLE: bool, S: Simd, R: Rows<S>, A: RowAttachment>(
+    simd: S,
+    mut rows: R,
+    span: &Span<'_>,
     attachments: &mut A,
 ) -> bool {
+    let Span { plane, bounds: [x0, x1, y0, y1], region, id } = *span;
     let (x, mut y) = (x0 & !3, y0 & !3);
     let blocks = (x1 - x).div_ceil(4);
-    // Rows of few blocks are drawn whole: finding their ends costs more.
-    let narrow = blocks <= 4;
     let mut lanes = attachments.prepare(simd, plane, id);
+    let mut cursor = attachments.cursor(x, y);
     let mut depth = plane.origin;
     let mut any = false;
     let (zero, one) = (i32x8::splat(simd, 0), i32x8::splat(simd, 1));
-    while y < y1 {
-        let (begin, mut count) = rows.next(simd);
+    loop {
+        let (begin, mut count) = rows.eight(simd);
         if y < region.y0() || y + 8 > region.y1() {
-            count = clip_rows(simd, count, y, region);
+            let mut counts = [0; 8];
+            count.store_slice(&mut counts);
+            clip_rows(&mut counts, y, region);
+            count = i32x8::simd_from(simd, counts);
         }
         let covered = count.simd_gt(zero);
         any |= covered.any_true();
@@ -272,22 +308,24 @@ fn draw_rows<S: Simd, R: Rows<S>, A: RowAttachment>(
         (count.max(one) + i32x8::splat(simd, i32::MAX)).store_slice(&mut lasts);
         let ([begin0, begin1], [last0, last1]) = (halves(&begins), halves(&lasts));
         for (begins, lasts) in [(begin0, last0), (begin1, last1)] {
-            if y >= y1 {
-                break;
-            }
-            let (from, until) = if narrow { (0, blocks) } else { range(begins, lasts, blocks) };
+            let (from, until) = if WHOLE { (0, blocks) } else { range(begins, lasts, blocks) };
             let mut position = columns(simd, from) - by_row(simd, begins);
             let last = by_row(simd, lasts);
-            A::begin_row::<S>(&mut lanes, depth.step(plane.x, (from * 4) as i32));
-            for block in attachments.row(x + 4 * from, y, until.saturating_sub(from)) {
+            let base = if WHOLE { depth } else { depth.step(plane.x, (from * 4) as i32) };
+            A::begin_row(simd, &mut lanes, base);
+            for block in attachments.row(cursor, from, until.saturating_sub(from)) {
                 A::write(simd, &mut lanes, block, position.simd_gt(last));
                 position += i32x16::splat(simd, 4);
             }
-            depth = depth.step(plane.y, 4);
             y += 4;
+            if y >= y1 {
+                return any;
+            }
+            depth = depth.step(plane.y, 4);
+            cursor = attachments.next_row(cursor);
         }
+        rows.advance(simd);
     }
-    any
 }
 
 /// The blocks that hold the samples of four rows, as a range; maybe none.
@@ -303,12 +341,13 @@ fn range([b0, b1, b2, b3]: &[i32; 4], [l0, l1, l2, l3]: &[i32; 4], blocks: u32) 
 }
 
 /// No samples in the rows outside the region.
-#[inline(always)]
-fn clip_rows<S: Simd>(simd: S, count: i32x8<S>, y: u32, region: Region<Standard>) -> i32x8<S> {
-    let rows = i32x8::simd_from(simd, [0, 1, 2, 3, 4, 5, 6, 7]) + i32x8::splat(simd, y as i32);
-    let inside = rows.simd_ge(i32x8::splat(simd, region.y0() as i32))
-        & rows.simd_lt(i32x8::splat(simd, region.y1() as i32));
-    inside.select(count, i32x8::splat(simd, 0))
+#[cold]
+fn clip_rows(counts: &mut [i32; 8], y: u32, region: Region<Standard>) {
+    for (row, count) in (y..).zip(counts) {
+        if row < region.y0() || row >= region.y1() {
+            *count = 0;
+        }
+    }
 }
 
 /// Each lane's column, from block `from` on, shifted by -2^31 so that signed comparisons order it as
