@@ -61,25 +61,21 @@ pub fn draw<I: Index, A: RowAttachment>(
     if triangles.vertices > vertices {
         draw::check_indices(indices, vertices)?;
     }
-    let level = match level.0 {
-        Some(level) if attachments.fast() => level,
-        _ => return draw::draw(positions, indices, first_id, state, attachments),
-    };
     let given = records.len();
     let Some(records) = records.get_mut(..vertices) else {
         return Err(DrawError::ScratchTooSmall { needed: vertices, given });
     };
     let triangles = triangles.triangles;
     let (submitted, area) = draw::check_draw(positions, triangles.len(), first_id, state, attachments)?;
+    let (Some(level), Some(area), true) = (level.0, area, attachments.fast()) else {
+        return draw::draw(positions, indices, first_id, state, attachments);
+    };
     let mut statistics = Statistics { submitted, ..Statistics::default() };
-    match area {
-        None => statistics.culled.outside = submitted,
-        Some(area) => dispatch!(level, simd => {
-            stage(simd, positions, records);
-            let drawing = Drawing { simd, positions, records, area, state };
-            drawing.run(triangles, first_id, attachments, &mut statistics);
-        }),
-    }
+    dispatch!(level, simd => {
+        stage(simd, positions, records);
+        let drawing = Drawing { simd, positions, records, area, state };
+        drawing.run(triangles, first_id, attachments, &mut statistics);
+    });
     Ok(statistics)
 }
 
