@@ -40,10 +40,15 @@
 //! can stop at any level: set up one [`Triangle`] by hand, [`traverse`] its blocks with a closure,
 //! or hand a whole mesh to [`draw()`].
 //!
+//! With the feature `simd`, `simd::draw` stands above them all and draws the same bits from vector
+//! registers.
+//!
 //! # Features
 //!
 //! * `transform` (default): clip-space vertices. Without it the crate holds no float arithmetic but
 //!   [`Coordinate::snap`] and [`unorm32`], which are linked only when called.
+//! * `simd`: the fast path, for [`Standard`]; brings the crate `fearless_simd`.
+//! * `std`: detection of the processor's vector level.
 
 #![no_std]
 #![forbid(unsafe_code)]
