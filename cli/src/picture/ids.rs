@@ -40,5 +40,7 @@ mod tests {
             assert_ne!(colour_of(id), [0; 3], "{id}");
         }
         assert_eq!(colour_of(NO_ID), [0; 3]);
+        // And the same in every release.
+        assert_eq!([colour_of(0), colour_of(1)], [[239, 174, 170], [222, 77, 85]]);
     }
 }
