@@ -28,3 +28,8 @@ pub mod toy;
 
 pub use failure::Failure;
 pub use frame::Frame;
+
+/// The README's example is compiled and run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+pub struct Readme;
