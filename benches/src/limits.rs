@@ -20,9 +20,10 @@ impl Limit {
         Self { pixels: Buffer::new(pixels, 0) }
     }
 
-    /// Writes every pixel.
+    /// Writes every pixel, as the rasterizer clears depth: all bits set, which compilers make a `memset`,
+    /// the fastest there is.
     pub fn clear(&mut self) {
-        self.pixels.as_mut_slice().fill(black_box(u32::MAX));
+        self.pixels.as_mut_slice().fill(u32::MAX);
         black_box(self.pixels.as_slice());
     }
 

@@ -1,11 +1,12 @@
-//! The rasterizer: the only file of this crate that calls its drawing. A faster path is plugged in
-//! here: a new [`Level`], and its arm in [`Target::frame`] and [`Target::stage`].
+//! The rasterizer: the only file of this crate that calls its drawing. Another path is plugged in here:
+//! a new [`Level`], and its arms in [`Target::frame`], [`Target::stage`] and [`Target::has`].
 
 use std::hint::black_box;
 
+use halfplane::simd::{self, Snapped, Triangles};
 use halfplane::{
-    ClipPositions, Cull, D16, Depth, DepthTest, Ids, NO_ID, Positions as _, Region, Standard, State,
-    Statistics, Triangle, Viewport, blocks, draw, texels,
+    ClipPositions, Cull, D16, Depth, DepthTest, Ids, ModelPositions, NO_ID, Positions as _, Region, Standard,
+    State, Statistics, Triangle, Viewport, blocks, draw, texels,
 };
 use halfplane_cli::camera::Matrix;
 
@@ -13,24 +14,36 @@ use crate::buffer::Buffer;
 use crate::scenes::View;
 
 /// How the inner loops are run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy)]
 pub enum Level {
-    /// Plain arrays, the edge-function hierarchy: what runs everywhere.
+    /// Plain arrays, the edge-function hierarchy: what runs everywhere. Vertices are transformed to clip
+    /// space once, before the draw.
     Scalar,
+    /// Vector registers. Vertices are transformed in the draw.
+    Simd(simd::Level),
 }
 
 impl Level {
-    /// Those that this machine can run, the fastest first.
+    /// Those that this machine can run, the fastest first; the last is [`Level::Scalar`].
     #[must_use]
     pub fn available() -> Vec<Self> {
-        vec![Self::Scalar]
+        let fallback = simd::Level::FALLBACK.name();
+        let vector = simd::Level::detect().and_below().filter(|level| level.name() != fallback);
+        vector.map(Self::Simd).chain([Self::Scalar]).collect()
+    }
+
+    /// The first of [`available`](Self::available).
+    #[must_use]
+    pub fn fastest() -> Self {
+        Self::available().first().copied().unwrap_or(Self::Scalar)
     }
 
     /// Its name in tables and on command lines.
     #[must_use]
-    pub const fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::Scalar => "scalar",
+            Self::Simd(level) => level.name(),
         }
     }
 
@@ -81,8 +94,9 @@ impl Attachments {
     }
 }
 
-/// A part of a frame, for measuring it apart. Each of the last four holds the work of those before it
-/// but the clear and the transform, so the difference of two is what the later one adds.
+/// A part of a frame, for measuring it apart. Setup, traversal and draws each hold the work of those before
+/// it but the clear, so the difference of two is what the later one adds. They do not hold the transform,
+/// which comes before them, at [`Level::Scalar`]; they do at the others.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stage {
     /// The clear of the attachments.
@@ -104,8 +118,10 @@ pub enum Stage {
 pub struct Target<'v> {
     positions: &'v [[f32; 3]],
     indices: &'v [u32],
+    triangles: Triangles<'v, u32>,
     state: State<Standard>,
     viewport: Viewport<Standard>,
+    records: Buffer<Snapped>,
     clip: Buffer<[f32; 4]>,
     depth32: Buffer<u32>,
     depth16: Buffer<u16>,
@@ -137,6 +153,9 @@ impl<'v> Target<'v> {
         Self {
             positions: &view.mesh.positions,
             indices,
+            triangles: Triangles::new(indices, view.mesh.positions.len())
+                .expect("views have indices that exist"),
+            records: Buffer::new(view.mesh.positions.len(), Snapped::default()),
             state: State { cull: Cull::Back, ..State::new(region) },
             viewport: Viewport::new(region),
             clip: Buffer::new(view.mesh.positions.len(), [0.0; 4]),
@@ -155,21 +174,37 @@ impl<'v> Target<'v> {
                 self.transform(matrix);
                 self.draw_scalar(attachments)
             }
+            Level::Simd(level) => self.draw_simd(level, attachments, matrix),
         }
     }
 
-    /// One stage. Stages after [`Stage::Transform`] draw what it left.
+    /// Whether a level has a stage that can be measured apart.
+    #[must_use]
+    pub const fn has(level: Level, stage: Stage) -> bool {
+        match level {
+            Level::Scalar => true,
+            Level::Simd(_) => !matches!(stage, Stage::Setup | Stage::Traverse),
+        }
+    }
+
+    /// One stage; nothing if the level does not [have](Self::has) it. At [`Level::Scalar`], stages after
+    /// [`Stage::Transform`] draw what it left.
     pub fn stage(&mut self, level: Level, stage: Stage, matrix: &Matrix) {
         match (stage, level) {
             (Stage::Clear(attachments), _) => self.clear(attachments),
             (Stage::Transform, Level::Scalar) => self.transform(matrix),
+            (Stage::Transform, Level::Simd(level)) => self.transform_simd(level, matrix),
             (Stage::Setup, Level::Scalar) => self.set_up_scalar(),
             (Stage::Traverse, Level::Scalar) => {
                 let clip = ClipPositions::new(self.clip.as_slice(), self.viewport);
                 black_box(accepted(draw(&clip, self.indices, 0, &self.state, &mut ())));
             }
+            (Stage::Setup | Stage::Traverse, Level::Simd(_)) => {}
             (Stage::Draw(attachments), Level::Scalar) => {
                 black_box(self.draw_scalar(attachments));
+            }
+            (Stage::Draw(attachments), Level::Simd(level)) => {
+                black_box(self.draw_simd(level, attachments, matrix));
             }
             (Stage::Frame(attachments), level) => {
                 black_box(self.frame(level, attachments, matrix));
@@ -204,10 +239,10 @@ impl<'v> Target<'v> {
         let State { scissor, cull, front, sample } = self.state;
         for &[a, b, c] in self.indices.as_chunks::<3>().0 {
             positions.assemble([a, b, c].map(|index| index as usize), |vertices| {
-                if let Some(triangle) = Triangle::<Standard>::new(vertices, sample) {
-                    if !cull.culls(triangle.winding(), front) {
-                        let _ = black_box((triangle.bounds(scissor), &triangle));
-                    }
+                if let Some(triangle) = Triangle::<Standard>::new(vertices, sample)
+                    && !cull.culls(triangle.winding(), front)
+                {
+                    let _ = black_box((triangle.bounds(scissor), &triangle));
                 }
             });
         }
@@ -234,6 +269,46 @@ impl<'v> Target<'v> {
                 let masks = self.coverage.as_mut_slice();
                 let mut coverage = halfplane::Coverage::new(region, masks).expect("masks for the region");
                 draw(&clip, indices, 0, state, &mut coverage)
+            }
+        })
+    }
+
+    /// A draw of no triangles is its vertex stage.
+    fn transform_simd(&mut self, level: simd::Level, matrix: &Matrix) {
+        let region = self.state.scissor;
+        let none = Triangles::new(&[0u32; 0], self.positions.len()).expect("no index is wrong");
+        let model = ModelPositions::new(self.positions, rows(matrix), self.viewport);
+        let masks = self.coverage.as_mut_slice();
+        let mut coverage = halfplane::Coverage::new(region, masks).expect("masks for the region");
+        let records = self.records.as_mut_slice();
+        black_box(accepted(simd::draw(level, &model, records, none, 0, &self.state, &mut coverage)));
+        black_box(self.records.as_slice());
+    }
+
+    fn draw_simd(&mut self, level: simd::Level, attachments: Attachments, matrix: &Matrix) -> Statistics {
+        let region = self.state.scissor;
+        let model = ModelPositions::new(self.positions, rows(matrix), self.viewport);
+        let (triangles, state) = (self.triangles, &self.state);
+        let records = self.records.as_mut_slice();
+        let mut ids = Ids::new(region, self.ids.as_mut_slice()).expect("ids for the region");
+        let mut depth = Depth::<Standard>::new(region, self.depth32.as_mut_slice(), DepthTest::LESS)
+            .expect("depths for the region");
+        accepted(match attachments {
+            Attachments::Depth32 => simd::draw(level, &model, records, triangles, 0, state, &mut depth),
+            Attachments::Depth16 => {
+                let texels = self.depth16.as_mut_slice();
+                let mut depth = Depth::<Standard, D16>::new(region, texels, DepthTest::LESS)
+                    .expect("depths for the region");
+                simd::draw(level, &model, records, triangles, 0, state, &mut depth)
+            }
+            Attachments::Ids => simd::draw(level, &model, records, triangles, 0, state, &mut ids),
+            Attachments::DepthIds => {
+                simd::draw(level, &model, records, triangles, 0, state, &mut (&mut depth, &mut ids))
+            }
+            Attachments::Coverage => {
+                let masks = self.coverage.as_mut_slice();
+                let mut coverage = halfplane::Coverage::new(region, masks).expect("masks for the region");
+                simd::draw(level, &model, records, triangles, 0, state, &mut coverage)
             }
         })
     }
@@ -267,12 +342,17 @@ impl<'v> Target<'v> {
         match attachments {
             Attachments::Depth16 => self.depth16.as_slice().iter().map(|&d| u32::from(d)).for_each(&mut add),
             Attachments::Coverage => {
-                self.coverage.as_slice().iter().map(|&m| u32::from(m)).for_each(&mut add)
+                self.coverage.as_slice().iter().map(|&m| u32::from(m)).for_each(&mut add);
             }
             _ => {}
         }
         hash
     }
+}
+
+/// A matrix as rows.
+fn rows(matrix: &Matrix) -> [[f32; 4]; 4] {
+    [0, 4, 8, 12].map(|row| [0, 1, 2, 3].map(|column| matrix[row + column]))
 }
 
 fn accepted<E: std::error::Error>(drawn: Result<Statistics, E>) -> Statistics {

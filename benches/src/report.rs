@@ -21,6 +21,10 @@ pub fn legend() -> String {
     for (name, what) in peers::WHAT {
         let _ = writeln!(text, "* {name}: {what}.");
     }
+    text.push_str(
+        "All of it is built for the Rust target's own baseline processor; halfplane chooses its level when it runs, \
+         and\nRUSTFLAGS=\"-C target-cpu=native\" gives the other crates what the compiler makes of this one.\n",
+    );
     let levels: Vec<&str> = Level::available().into_iter().map(Level::name).collect();
     let _ = writeln!(text, "Levels of halfplane on this machine, fastest first: {}.", levels.join(", "));
     text
@@ -85,7 +89,7 @@ fn label(row: &Row) -> String {
 /// All views side by side in clears, then the quoted figures and the targets.
 #[must_use]
 pub fn summary(outcomes: &[Outcome]) -> String {
-    let mut text = String::from("\n== all views, in clears (minima; still camera; static triangles)\n");
+    let mut text = String::from("\n== all views, in clears (minima; still camera)\n");
     let levels = Level::available();
     let mut columns: Vec<String> = levels.iter().map(|level| format!("halfplane {}", level.name())).collect();
     columns.extend(peers::WHAT.map(|(name, _)| name.to_owned()));
@@ -112,7 +116,7 @@ pub fn summary(outcomes: &[Outcome]) -> String {
 
 fn targets(outcomes: &[Outcome]) -> String {
     let mut text = String::new();
-    let fastest = Level::available().first().copied().unwrap_or(Level::Scalar);
+    let fastest = Level::fastest();
     for outcome in outcomes {
         let (Some(quoted), Some(ours)) = (quoted::of(&outcome.view), outcome.depth_of(fastest)) else {
             continue;

@@ -101,6 +101,29 @@ pub fn fullscreen(name: &str, count: u32, front_to_back: bool, size: (u32, u32))
     pixels.view(name)
 }
 
+/// A little of everything, half of it facing away: for counting instructions.
+#[must_use]
+pub fn mixed() -> View {
+    let parts = [
+        random("", 4000, 3.0, SIZE),
+        random("", 3000, 16.0, SIZE),
+        random("", 400, 100.0, SIZE),
+        slivers("", 100, SIZE),
+        fullscreen("", 2, true, SIZE),
+    ];
+    let mut mesh = Mesh::plain(Vec::new(), Vec::new());
+    for part in parts {
+        let first = mesh.positions.len() as u32;
+        mesh.positions.extend(&part.mesh.positions);
+        for (place, &[a, b, c]) in part.mesh.indices.as_chunks::<3>().0.iter().enumerate() {
+            let order = if place % 2 == 0 { [a, b, c] } else { [a, c, b] };
+            mesh.indices.extend(order.map(|index| first + index));
+        }
+    }
+    let mesh = Arc::new(mesh);
+    View { name: "mixed".to_owned(), mesh, matrix: IDENTITY, size: SIZE, peers: false, detail: false }
+}
+
 /// Triangles in pixels.
 struct Pixels {
     size: (f32, f32),
