@@ -47,15 +47,27 @@ table! {
     /// Projected vertices.
     TRANSFORM = 8_000;
     /// Clipped meshes.
-    CLIP_MESH = 60;
+    CLIP_MESH = 500;
     /// Clipped triangles and their pieces.
-    CLIP_PIECES = 6_000;
+    CLIP_PIECES = 20_000;
     /// Clipped triangles against the exact polygon.
-    CLIP_EXACT = 250;
+    CLIP_EXACT = 3_000;
     /// Conversions of single numbers.
     NUMBERS = 100_000;
     /// Lane operations.
     LANES = 3_000;
+    /// Whole frames at every vector level.
+    SIMD_FRAME = 2_500;
+    /// Whole frames of more triangles than are collected at a time.
+    SIMD_MANY = 60;
+    /// Frames of triangles with hardly any area.
+    SIMD_STEEP = 400;
+    /// Rows of constant depths.
+    SIMD_DEPTH = 300;
+    /// Refused draws at every vector level.
+    SIMD_ERRORS = 150;
+    /// Edges of large triangles.
+    CROSSINGS = 4_000;
     /// Squares of lattice points on a side of the enumerations, centre sample; not cases: grows with
     /// the sixth root of the scale.
     LATTICE = 9;

@@ -3,7 +3,8 @@
 use halfplane::{Bounds, Format, Small, Standard};
 use halfplane_tests::{
     Frame, oracle,
-    shapes::{Corners, Kind, Random, doubled_area, fan, grid, triangle, triangulation},
+    properties::clipping::counted,
+    shapes::{Corners, Kind, Random, clip_triangle, doubled_area, fan, grid, triangle, triangulation},
     toy::Toy,
 };
 
@@ -91,4 +92,26 @@ fn meshes_fill_their_outline() {
         }
         assert_eq!(meshes[2].triangles.len(), 1000);
     }
+}
+
+/// Clipping properties look at triangles that are clipped and seen, at each plane.
+#[test]
+fn clipped_shapes_are_clipped_and_seen() {
+    let mut random = Random(3);
+    let (mut seen, mut at_near, mut at_far, mut at_sides) = (0, 0, 0, 0);
+    for _ in 0..2000 {
+        let frame = Frame::whole::<Standard>(64, 48);
+        let triangle = clip_triangle(random.words());
+        let counts = counted::<Standard>(&frame, &triangle, &[[0, 1, 2]]).unwrap();
+        if frame.pixels().any(|pixel| counts.count(pixel) > 0) {
+            seen += 1;
+            at_near += usize::from(triangle.iter().any(|[_, _, z, _]| *z < 0.0));
+            at_far += usize::from(triangle.iter().any(|[_, _, z, w]| z > w));
+            at_sides += usize::from(
+                triangle.iter().any(|[x, y, _, w]| *w > 0.0 && x.abs().max(y.abs()) > 1000.0 * w),
+            );
+        }
+    }
+    println!("of 2000: {seen} seen, {at_near} cross near, {at_far} far, {at_sides} the guard band");
+    assert!(at_near > 200 && at_far > 20 && at_sides > 20);
 }

@@ -98,8 +98,8 @@ pub fn triangle_is_where_the_exact_one_is<F: Format>(frame: &Frame, triangle: &[
 
 /// The pieces of one clipped triangle have one winding, unless its snapped outline crosses itself.
 ///
-/// For two pieces that is decided exactly: a piece of the other winding with a corner strictly inside
-/// the other piece means that the quadrilateral was cut along the wrong diagonal.
+/// For two pieces with a common side, a quadrilateral, that is decided exactly: a piece of the other
+/// winding with a corner strictly inside the other piece means that it was cut along the wrong diagonal.
 pub fn pieces_have_one_winding<F: Format>(frame: &Frame, triangle: &[[f32; 4]; 3]) -> Verdict {
     let (viewport, _) = viewports::<F>(frame)?;
     let (assembly, pieces) = pieces(triangle, viewport);
@@ -110,7 +110,8 @@ pub fn pieces_have_one_winding<F: Format>(frame: &Frame, triangle: &[[f32; 4]; 3
     if let [first, second] = &pieces[..] {
         let (a, b) = (doubled_area(first), doubled_area(second));
         ensure!(a != 0 && b != 0, "a piece without area among {pieces:?}");
-        if (a < 0) != (b < 0) {
+        let shared = first.iter().filter(|corner| second.contains(corner)).count();
+        if (a < 0) != (b < 0) && shared == 2 {
             for (one, other) in [(first, second), (second, first)] {
                 let inside = other.iter().any(|&corner| strictly_inside(one, corner));
                 ensure!(!inside, "cut along the wrong diagonal: {pieces:?}");

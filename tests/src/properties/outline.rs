@@ -71,9 +71,10 @@ fn cross(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
     (b[0] - a[0]) * (p[1] - a[1]) - (p[0] - a[0]) * (b[1] - a[1])
 }
 
+/// 1 or -1, and 0 for a polygon without area.
 fn orientation(polygon: &[[f64; 2]]) -> f64 {
     let sum: f64 = polygon.windows(2).map(|w| cross(polygon[0], w[0], w[1])).sum();
-    sum.signum()
+    if sum == 0.0 { 0.0 } else { sum.signum() }
 }
 
 fn edges(polygon: &[[f64; 2]]) -> impl Iterator<Item = ([f64; 2], [f64; 2])> {
@@ -82,7 +83,7 @@ fn edges(polygon: &[[f64; 2]]) -> impl Iterator<Item = ([f64; 2], [f64; 2])> {
 
 fn has(polygon: &[[f64; 2]], point: [f64; 2]) -> bool {
     let sign = orientation(polygon);
-    polygon.len() > 2 && edges(polygon).all(|(a, b)| sign * cross(a, b, point) >= 0.0)
+    sign != 0.0 && edges(polygon).all(|(a, b)| sign * cross(a, b, point) >= 0.0)
 }
 
 /// Whether a line of either separates the convex polygon from the square.
@@ -94,5 +95,5 @@ fn apart(polygon: &[[f64; 2]], square: &[[f64; 2]; 4]) -> bool {
         let high = square.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
         polygon.iter().all(|p| p[axis] < low) || polygon.iter().all(|p| p[axis] > high)
     };
-    polygon.len() < 3 || edges(polygon).any(beyond_edge) || beyond_axis(0) || beyond_axis(1)
+    sign == 0.0 || edges(polygon).any(beyond_edge) || beyond_axis(0) || beyond_axis(1)
 }

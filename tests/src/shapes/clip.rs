@@ -43,17 +43,25 @@ pub fn clip_bits(numbers: [u32; 13]) -> [[f32; 4]; 3] {
     [0, 4, 8].map(|k| [value(k), value(k + 1), value(k + 2), value(k + 3)])
 }
 
-/// A triangle of whole numbers about the view frustum; `z = w - near`, so that the near plane cuts at
-/// `w = near`. It can cross any plane.
-pub fn clip_triangle(numbers: [u32; 10]) -> ([[f32; 4]; 3], f32) {
-    let near = pick(numbers[9], 1, 40);
+/// z of a whole-numbered vertex: the near plane cuts at `w = near`, the far plane at `w = 2 near` where
+/// `steep` is 2 and nowhere where it is 1.
+fn depth(w: i64, near: i64, steep: i64) -> f32 {
+    (steep * (w - near)) as f32
+}
+
+/// A triangle of whole numbers about the view frustum; it can cross any plane.
+pub fn clip_triangle(numbers: [u32; 10]) -> [[f32; 4]; 3] {
+    let [.., kind] = numbers;
+    let near = pick(kind / 8, 1, [1, 5, 30, 200][kind as usize / 2 % 4]);
+    let steep = 1 + i64::from(kind % 2);
     let vertex = |k: usize| {
-        let w = pick(numbers[k + 2], -200, 600);
-        let reach = 1000 << (numbers[k + 2] / 1024 % 5);
-        let (x, y) = (pick(numbers[k], -reach, reach), pick(numbers[k + 1], -reach, reach));
-        [x as f32, y as f32, (w - near) as f32, w as f32]
+        let w = pick(numbers[k + 2] / 2, -200, 600) / [1, 20][numbers[k + 2] as usize % 2];
+        // Mostly about the screen, sometimes far beyond the guard band.
+        let reach = 600 << [0, 0, 1, 3, 6][numbers[k] as usize % 5];
+        let (x, y) = (pick(numbers[k] / 5, -reach, reach), pick(numbers[k + 1], -reach, reach));
+        [x as f32, y as f32, depth(w, near, steep), w as f32]
     };
-    ([vertex(0), vertex(3), vertex(6)], near as f32)
+    [vertex(0), vertex(3), vertex(6)]
 }
 
 /// Fine units on a side of a [`Ground`].
@@ -63,7 +71,7 @@ const SIDE: i32 = 512;
 /// exactly: whatever the near plane and the guard band do to it, inside it has no seam.
 #[derive(Clone, Debug)]
 pub struct Ground {
-    /// Clip-space vertices, `z = w - near`.
+    /// Clip-space vertices.
     pub vertices: Vec<[f32; 4]>,
     /// Triangles, all of one orientation in the plane.
     pub triangles: Vec<[u32; 3]>,
@@ -76,7 +84,7 @@ impl Ground {
     pub fn from_numbers(numbers: [u32; 12], seed: u64) -> Self {
         let mut random = Random(seed);
         let [ox, oy, ow, ux, uy, uw, vx, vy, vw, near, kind, count] = numbers;
-        let near = pick(near, 1, 64) as i32;
+        let (near, steep) = (pick(near / 2, 1, 2000), 1 + i64::from(near % 2));
         let origin = [pick(ox, -9000, 9000), pick(oy, -9000, 9000), pick(ow, -9000, 9000)];
         let u = [pick(ux, -40, 40), pick(uy, -40, 40), pick(uw, -40, 40)];
         let v = [pick(vx, -40, 40), pick(vy, -40, 40), pick(vw, -40, 40)];
@@ -90,9 +98,9 @@ impl Ground {
             triangulation(outline, &points)
         };
         let at = |[i, j]: [i32; 2]| {
-            // Below 9000 + 2 x 512 x 40 < 2^16: exact.
-            let [x, y, w] = [0, 1, 2].map(|k| (origin[k] + i64::from(i) * u[k] + i64::from(j) * v[k]) as i32);
-            [x as f32, y as f32, (w - near) as f32, w as f32]
+            // Below 9000 + 2 x 512 x 40 < 2^16, z below 2^18: exact.
+            let [x, y, w] = [0, 1, 2].map(|k| origin[k] + i64::from(i) * u[k] + i64::from(j) * v[k]);
+            [x as f32, y as f32, depth(w, near, steep), w as f32]
         };
         Self {
             vertices: xy.into_iter().map(at).collect(),
