@@ -14,6 +14,7 @@ mod named;
 mod numbers;
 mod scenes;
 mod shapes;
+mod simd;
 mod statistics;
 mod storage;
 mod transform;

@@ -2,6 +2,7 @@
 
 pub mod clipping;
 pub mod coverage;
+pub mod crossing;
 pub mod depth;
 pub mod depth_test;
 pub mod entry;
@@ -11,6 +12,7 @@ pub mod lanes;
 pub mod numbers;
 pub mod outline;
 pub mod scene;
+pub mod simd;
 pub mod statistics;
 pub mod storage;
 pub mod transform;

@@ -7,6 +7,7 @@ mod bezout;
 mod clip;
 mod depths;
 mod mesh;
+mod model;
 mod numbers;
 mod triangles;
 
@@ -14,6 +15,7 @@ pub use bezout::{Bezout, bezout};
 pub use clip::{Ground, clip_bits, clip_triangle};
 pub use depths::depths;
 pub use mesh::{Mesh, fan, grid, triangulation};
+pub use model::{LARGE_EXTENT, Model, Projection, at_the_limit, model};
 pub use numbers::Random;
 pub use triangles::{Kind, triangle};
 
