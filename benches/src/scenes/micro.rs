@@ -20,8 +20,8 @@ pub struct Later {
     pub make: Box<dyn Fn(&str) -> View>,
 }
 
-/// All micro views of `compare`. Where a million triangles would take the other crates minutes, they
-/// have a smaller number on a view of its own.
+/// All micro views of `compare`. Where so many triangles would take the other crates minutes,
+/// they have a smaller number on a view of its own.
 #[must_use]
 pub fn views() -> Vec<Later> {
     fn later(name: String, make: impl Fn(&str) -> View + 'static) -> Later {
@@ -31,9 +31,13 @@ pub fn views() -> Vec<Later> {
         let make = move |name: &str| View { peers, ..random(name, count, side as f32, SIZE) };
         later(format!("micro random {side} px, {count}"), make)
     };
-    let screens = |order: &str, front_to_back: bool| {
-        let make = move |name: &str| fullscreen(name, 1000, front_to_back, SIZE);
-        later(format!("micro fullscreen {order}, 1000"), make)
+    let slivers = |count: u32, peers: bool| {
+        let make = move |name: &str| View { peers, ..slivers(name, count, SIZE) };
+        later(format!("micro slivers, {count}"), make)
+    };
+    let screens = |order: &str, front_to_back: bool, count: u32, peers: bool| {
+        let make = move |name: &str| View { peers, ..fullscreen(name, count, front_to_back, SIZE) };
+        later(format!("micro fullscreen {order}, {count}"), make)
     };
     vec![
         of_size(2, 1_000_000, true),
@@ -41,10 +45,13 @@ pub fn views() -> Vec<Later> {
         of_size(32, 1_000_000, false),
         of_size(128, 1_000_000, false),
         of_size(32, 50_000, true),
-        of_size(128, 5_000, true),
-        later("micro slivers, 50000".to_owned(), |name| slivers(name, 50_000, SIZE)),
-        screens("front-to-back", true),
-        screens("back-to-front", false),
+        of_size(128, 2_000, true),
+        slivers(50_000, false),
+        slivers(1_000, true),
+        screens("front-to-back", true, 1000, false),
+        screens("back-to-front", false, 1000, false),
+        screens("front-to-back", true, 20, true),
+        screens("back-to-front", false, 20, true),
     ]
 }
 
