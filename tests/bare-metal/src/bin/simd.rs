@@ -22,7 +22,8 @@ fn main() -> Option<()> {
     depth.clear(u32::MAX);
     ids.clear();
     let vertices = inputs().map(|vertex| vertex.map(f32::from_bits));
-    let matrix = core::array::from_fn(|row| core::array::from_fn(|c| f32::from_bits(input(16 + 4 * row + c))));
+    let matrix =
+        core::array::from_fn(|row| core::array::from_fn(|c| f32::from_bits(input(16 + 4 * row + c))));
     let positions = ModelPositions::new(&vertices, matrix, Viewport::new(region));
     let mut records = [Snapped::default(); 4];
     let scratch = records.get_mut(..input(33) as usize)?;
