@@ -7,6 +7,7 @@ use glam::DVec3;
 use halfplane::{Cull, Format, Standard, Winding};
 
 use crate::camera::{self, Matrix};
+use crate::level::{self, Level};
 
 /// An exact triangle rasterizer: renders depth and visibility buffers, and checks every pixel.
 ///
@@ -36,6 +37,13 @@ pub enum Command {
     /// Prints the mismatching pixels (0 is right), the largest and mean depth error in units of the
     /// depth format's last bit, and how far snapping moved vertices. Writes diff.png if any differs.
     Verify(Picture),
+    /// Time frames of a mesh, one thread, beside what this machine can do at best in the same run
+    ///
+    /// A frame is everything from object-space positions and a matrix to finished buffers: clear,
+    /// transform, draw. Limits are the clear and the read-modify-write of 1280x720 numbers of 32 bits, and
+    /// the vertex stage alone. "clears" are minima over that of the clear: a measure that can be compared
+    /// between machines. Nothing is written to files.
+    Bench(Bench),
     /// Conformance kits: the TRIQUERY protocol from stdin to stdout, which samples are covered
     Coverage,
     /// Conformance kits: the TRIDEPTH protocol from stdin to stdout, the depth of every pixel
@@ -50,6 +58,29 @@ pub struct Picture {
     /// How to draw it.
     #[command(flatten)]
     pub options: Options,
+}
+
+/// A mesh, how to draw it, and how often.
+#[derive(Debug, Args)]
+pub struct Bench {
+    /// What is drawn.
+    #[command(flatten)]
+    pub picture: Picture,
+    /// What a frame writes
+    #[arg(long, value_enum, default_value = "depth")]
+    pub attachments: Attachments,
+    /// Frames that are measured
+    #[arg(long, value_name = "N", default_value_t = 600, allow_hyphen_values = true, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub frames: u32,
+    /// Frames that are drawn before, and not measured
+    #[arg(long, value_name = "N", default_value_t = 60, allow_hyphen_values = true, value_parser = clap::value_parser!(u32).range(0..=1_000_000))]
+    pub warm_up: u32,
+    /// Move the camera a little every frame, always the same way: a processor learns repeated frames by heart
+    #[arg(long)]
+    pub moving: bool,
+    /// Print one JSON object instead of a table
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// How to draw a mesh.
@@ -95,6 +126,10 @@ pub struct Options {
     /// and glTF]
     #[arg(long, value_enum)]
     pub front: Option<FrontArg>,
+    /// How the inner loops run: avx512, avx2, sse4.2, sse2, neon, wasm128, fallback (no vectors), or
+    /// auto, the best that this machine has. The picture is the same
+    #[arg(long, value_name = "LEVEL", default_value = "auto", value_parser = level::parse)]
+    pub level: Level,
     /// The folder for the pictures; made if it is not there
     #[arg(long, value_name = "DIR", default_value = "out")]
     pub out: PathBuf,
@@ -113,6 +148,20 @@ pub enum DepthFormat {
     D32,
     /// unorm16
     D16,
+}
+
+/// `--attachments`
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Attachments {
+    /// Depth, in the format of --depth
+    Depth,
+    /// Triangle ids; the last drawn wins
+    Ids,
+    /// Depth, and the id of the nearest triangle
+    #[value(name = "depth+ids")]
+    DepthIds,
+    /// One bit per pixel
+    Coverage,
 }
 
 /// `--cull`
@@ -148,6 +197,19 @@ impl Options {
             near: self.near,
             far: self.far,
             matrix: self.matrix,
+        }
+    }
+}
+
+impl Attachments {
+    /// Its name on the command line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Depth => "depth",
+            Self::Ids => "ids",
+            Self::DepthIds => "depth+ids",
+            Self::Coverage => "coverage",
         }
     }
 }
@@ -219,6 +281,14 @@ mod tests {
     #[test]
     fn the_definition_is_consistent() {
         Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn attachments_have_one_name() {
+        for attachments in Attachments::value_variants() {
+            let value = attachments.to_possible_value().unwrap();
+            assert_eq!(value.get_name(), attachments.name());
+        }
     }
 
     #[test]

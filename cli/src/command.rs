@@ -58,9 +58,10 @@ pub fn run_render(file: Option<&Path>, options: &Options) -> Result<(), Error> {
 pub fn run_verify(file: Option<&Path>, options: &Options) -> Result<bool, Error> {
     let drawn = draw(file, options)?;
     print(&drawn.report())?;
-    let Drawn { subject, matrix, clip, settings, picture, .. } = &drawn;
+    let Drawn { subject, matrix, settings, picture, .. } = &drawn;
 
     let started = Instant::now();
+    let clip = &to_clip(&subject.mesh, matrix);
     let (scene, whole) = verify::assemble(clip, &subject.mesh.indices, settings);
     let bar = progress_bar(u64::from(picture.width) * u64::from(picture.height));
     let report = verify::compare(&scene, picture, &|pixels| bar.inc(pixels))?;
@@ -101,9 +102,9 @@ pub fn run_verify(file: Option<&Path>, options: &Options) -> Result<bool, Error>
 }
 
 /// A mesh, its conventions and its named cameras.
-struct Subject {
-    mesh: Mesh,
-    name: String,
+pub(crate) struct Subject {
+    pub(crate) mesh: Mesh,
+    pub(crate) name: String,
     cameras: Vec<Named>,
     /// Where the cameras are, for messages.
     place: String,
@@ -149,7 +150,6 @@ impl Subject {
 struct Drawn {
     subject: Subject,
     matrix: Matrix,
-    clip: Vec<[f32; 4]>,
     settings: Settings,
     picture: Picture,
     times: Vec<(&'static str, Duration)>,
@@ -162,6 +162,18 @@ fn draw(file: Option<&Path>, options: &Options) -> Result<Drawn, Error> {
         times.push((name, started.elapsed()));
         started = Instant::now();
     };
+    let (subject, matrix, settings) = prepare(file, options, &mut lap)?;
+    let picture = render(&subject.mesh, &matrix, &settings)?;
+    lap("draw");
+    Ok(Drawn { subject, matrix, settings, picture, times })
+}
+
+/// All that a draw needs; `lap` is told what has just been done.
+pub(crate) fn prepare(
+    file: Option<&Path>,
+    options: &Options,
+    lap: &mut dyn FnMut(&'static str),
+) -> Result<(Subject, Matrix, Settings), Error> {
     let mut request = options.camera_request();
     let subject = match file {
         Some(path) => Subject::load(path, request.name.is_some())?,
@@ -181,29 +193,27 @@ fn draw(file: Option<&Path>, options: &Options) -> Result<Drawn, Error> {
         cull: options.cull.map_or(subject.cull, Cull::from),
         front: options.front.map_or(subject.front, Winding::from),
         depth: options.depth,
+        level: options.level,
     };
     lap("camera");
-    let clip = to_clip(mesh, &matrix);
-    lap("transform");
-    let picture = render(&clip, &mesh.indices, &settings)?;
-    lap("draw");
-    Ok(Drawn { subject, matrix, clip, settings, picture, times })
+    Ok((subject, matrix, settings))
 }
 
 impl Drawn {
     fn report(&self) -> String {
-        let Self { subject, picture, times, .. } = self;
+        let Self { subject, settings, picture, times, .. } = self;
         let covered = picture.ids.iter().filter(|&&id| id != NO_ID).count();
         let times: Vec<String> =
             times.iter().map(|(name, time)| format!("{name} {}", seconds(*time))).collect();
         format!(
-            "{}: {} triangles, {} vertices\n{}x{} pixels, {covered} covered, depth in {} bits\n{}\n{}\n",
+            "{}: {} triangles, {} vertices\n{}x{} pixels, {covered} covered, depth in {} bits, level {}\n{}\n{}\n",
             subject.name,
             subject.mesh.triangles(),
             subject.mesh.positions.len(),
             picture.width,
             picture.height,
             picture.bits,
+            settings.level.name(),
             picture.statistics,
             times.join(", ")
         )
@@ -226,7 +236,7 @@ fn progress_bar(pixels: u64) -> ProgressBar {
 }
 
 /// Prints to standard output. A reader that has seen enough is no failure.
-fn print(text: &str) -> Result<(), Error> {
+pub(crate) fn print(text: &str) -> Result<(), Error> {
     let mut output = io::stdout().lock();
     match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(OutputError::print(error).into()),

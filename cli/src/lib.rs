@@ -6,9 +6,11 @@
 //! | [`args`] | the command line |
 //! | [`load`], [`scene`] | where meshes come from: files, or the built-in scene |
 //! | [`camera`] | where matrices come from |
+//! | [`level`], [`target`] | the vector levels, and the only place that calls the rasterizer's draw |
 //! | [`render`] | mesh and matrix to depth and ids |
 //! | [`picture`] | depth and ids to pictures |
 //! | [`verify`] | depth and ids against the reference |
+//! | [`measure`], [`bench`] | times of frames, beside the machine's limits |
 //! | [`protocol`] | the doors for conformance kits |
 //! | [`output`] | files, whole or not at all |
 //! | [`command`] | all of that, in order |
@@ -16,16 +18,20 @@
 #![forbid(unsafe_code)]
 
 pub mod args;
+pub mod bench;
 pub mod camera;
 pub mod command;
 pub mod error;
+pub mod level;
 pub mod load;
+pub mod measure;
 pub mod mesh;
 pub mod output;
 pub mod picture;
 pub mod protocol;
 pub mod render;
 pub mod scene;
+pub mod target;
 pub mod verify;
 
 use std::ffi::OsString;
@@ -68,6 +74,7 @@ fn execute(cli: Cli) -> Result<bool, Error> {
         Some(Command::Verify(picture)) => {
             return command::run_verify(picture.file.as_deref(), &picture.options);
         }
+        Some(Command::Bench(arguments)) => bench::run_bench(&arguments)?,
         Some(Command::Coverage) => protocol::coverage(io::stdin().lock(), output())?,
         Some(Command::Depth) => protocol::depth(io::stdin().lock(), output())?,
     }

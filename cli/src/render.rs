@@ -1,15 +1,18 @@
-//! From a mesh and a matrix to depth and triangle ids, with the rasterizer's own clip and draw.
+//! From a mesh and a matrix to depth and triangle ids, with the rasterizer's own transform, clip and draw.
 
 use std::fmt;
 
+use halfplane::simd::RowAttachment;
 use halfplane::{
-    ClipPositions, Cull, D16, D32, Depth, DepthFormat, DepthTest, DrawError, Ids, Region, RegionError,
-    Standard, State, Statistics, StorageError, Viewport, Winding, draw, texels,
+    Cull, D16, D32, Depth, DepthFormat, DrawError, Region, RegionError, Standard, State, Statistics,
+    StorageError, Winding,
 };
 
 use crate::args;
 use crate::camera::Matrix;
+use crate::level::Level;
 use crate::mesh::Mesh;
+use crate::target::Target;
 
 /// What one picture is drawn with.
 #[derive(Debug, Clone, Copy)]
@@ -22,6 +25,8 @@ pub struct Settings {
     pub front: Winding,
     /// The depth format.
     pub depth: args::DepthFormat,
+    /// How the inner loops run; no pixel depends on it.
+    pub level: Level,
 }
 
 /// Depth and ids of every pixel, in rows from the top.
@@ -62,54 +67,47 @@ impl Settings {
     }
 }
 
-/// The mesh's positions in clip space: x m0 + y m1 + z m2 + m3, from left to right in `f32`, so that the
-/// bits are the same everywhere.
+/// A position in clip space: x m0 + y m1 + z m2 + m3, from left to right in `f32`, so that the bits are the
+/// same everywhere.
 #[must_use]
-pub fn to_clip(mesh: &Mesh, matrix: &Matrix) -> Vec<[f32; 4]> {
-    let m = matrix;
-    let point =
-        |&[x, y, z]: &[f32; 3]| std::array::from_fn(|k| x * m[k] + y * m[4 + k] + z * m[8 + k] + m[12 + k]);
-    mesh.positions.iter().map(point).collect()
+pub fn clip([x, y, z]: [f32; 3], m: &Matrix) -> [f32; 4] {
+    std::array::from_fn(|k| x * m[k] + y * m[4 + k] + z * m[8 + k] + m[12 + k])
 }
 
-/// Draws a mesh whose vertices are in clip space already.
+/// The [`clip`] of all positions of a mesh.
+#[must_use]
+pub fn to_clip(mesh: &Mesh, matrix: &Matrix) -> Vec<[f32; 4]> {
+    mesh.positions.iter().map(|&position| clip(position, matrix)).collect()
+}
+
+/// Draws a mesh.
 ///
 /// # Errors
 ///
 /// [`RenderError`] where the rasterizer refuses; not for any mesh that was loaded.
-pub fn render(clip: &[[f32; 4]], indices: &[u32], settings: &Settings) -> Result<Picture, RenderError> {
+pub fn render(mesh: &Mesh, matrix: &Matrix, settings: &Settings) -> Result<Picture, RenderError> {
     match settings.depth {
-        args::DepthFormat::D32 => render_as::<D32>(clip, indices, settings),
-        args::DepthFormat::D16 => render_as::<D16>(clip, indices, settings),
+        args::DepthFormat::D32 => render_as::<D32>(mesh, matrix, settings),
+        args::DepthFormat::D16 => render_as::<D16>(mesh, matrix, settings),
     }
 }
 
 fn render_as<D: DepthFormat<Standard>>(
-    clip: &[[f32; 4]],
-    indices: &[u32],
+    mesh: &Mesh,
+    matrix: &Matrix,
     settings: &Settings,
-) -> Result<Picture, RenderError> {
-    let region = settings.region;
-    let (width, height) = (region.width(), region.height());
-    let tiled = texels(width, height);
-    let mut depth_texels = vec![D::FAR; tiled];
-    let mut id_texels = vec![halfplane::NO_ID; tiled];
-    let mut depth = Depth::<Standard, D>::new(region, &mut depth_texels, DepthTest::LESS)?;
-    let mut ids = Ids::new(region, &mut id_texels)?;
-    let positions = ClipPositions::new(clip, Viewport::new(region));
-    let statistics = draw(&positions, indices, 0, &settings.state(), &mut (&mut depth, &mut ids))?;
-
-    let pixels = width as usize * height as usize;
-    let mut depth_rows = vec![D::FAR; pixels];
-    depth.to_linear(&mut depth_rows)?;
-    let mut id_rows = vec![halfplane::NO_ID; pixels];
-    ids.to_linear(&mut id_rows)?;
+) -> Result<Picture, RenderError>
+where
+    for<'a> Depth<'a, Standard, D>: RowAttachment,
+{
+    let mut target = Target::<D>::new(mesh, settings, args::Attachments::DepthIds)?;
+    let statistics = target.frame(matrix)?;
     Ok(Picture {
-        width,
-        height,
+        width: settings.region.width(),
+        height: settings.region.height(),
         bits: D::BITS,
-        depth: depth_rows.into_iter().map(Into::into).collect(),
-        ids: id_rows,
+        depth: target.depth_rows()?,
+        ids: target.id_rows()?,
         statistics,
     })
 }

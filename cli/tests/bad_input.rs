@@ -196,3 +196,18 @@ fn requests_that_end_early() {
         refused(&folder, &[command], &many, &[name, "triangles"]);
     }
 }
+
+#[test]
+fn levels_that_are_not_there() {
+    let folder = Folder::new("levels_refused");
+    for command in ["render", "verify", "bench"] {
+        for wrong in ["avx1024", "", "scalar"] {
+            refused(&folder, &[command, "--level", wrong], &[], &["--level", "fallback", "auto"]);
+        }
+    }
+    for (option, wrong) in
+        [("--frames", "0"), ("--frames", "x"), ("--warm-up", "-1"), ("--attachments", "all")]
+    {
+        refused(&folder, &["bench", option, wrong], &[], &[option]);
+    }
+}

@@ -191,7 +191,7 @@ fn verify_finds_small_models_right_and_writes_nothing() {
 fn the_built_in_scene_needs_nothing() {
     let folder = Folder::new("default");
     let report = folder.succeed(&["--size", "320x180"]);
-    for part in ["320x180", "submitted", "drawn", "culled", "rejected", "transform", "draw", "ms"] {
+    for part in ["320x180", "submitted", "drawn", "culled", "rejected", "level ", "draw", "ms"] {
         assert!(report.contains(part), "{part}: {report}");
     }
     let names = ["out", "out/depth.png", "out/ids.png", "out/shaded.png"];

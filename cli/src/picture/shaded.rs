@@ -9,8 +9,9 @@ use rayon::prelude::*;
 
 use crate::args::DepthFormat;
 use crate::camera::{Matrix, as_columns};
+use crate::level::Level;
 use crate::mesh::{Finish, Mesh};
-use crate::render::{Picture, RenderError, Settings, render, to_clip};
+use crate::render::{Picture, RenderError, Settings, render};
 
 use super::light::{Light, Look, to_byte};
 use super::shadow::Shadows;
@@ -146,7 +147,6 @@ fn ripple(point: DVec3) -> f64 {
 /// The scene under the water, upside down, without what is below the surface itself.
 fn mirror(mesh: &Mesh, matrix: &Matrix, picture: &Picture) -> Result<Picture, RenderError> {
     let positions = mesh.positions.iter().map(|&[x, y, z]| [x, -y, z]).collect();
-    let flipped = Mesh { positions, ..Mesh::default() };
     let mut indices = mesh.indices.clone();
     for triangle in indices.chunks_exact_mut(3) {
         let dry = triangle.iter().any(|&index| mesh.positions[index as usize][1] > 0.05);
@@ -161,8 +161,9 @@ fn mirror(mesh: &Mesh, matrix: &Matrix, picture: &Picture) -> Result<Picture, Re
         cull: halfplane::Cull::None,
         front: halfplane::Winding::Clockwise,
         depth: DepthFormat::D32,
+        level: Level::detect(),
     };
-    render(&to_clip(&flipped, matrix), &indices, &settings)
+    render(&Mesh::plain(positions, indices), matrix, &settings)
 }
 
 /// The nearest and farthest corner along the sight in the middle of the picture.

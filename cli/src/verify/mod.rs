@@ -118,31 +118,40 @@ fn spec(picture: &Picture) -> DepthSpec {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::level::{self, Level};
+    use crate::mesh::Mesh;
+    use crate::render::{render, to_clip};
     use halfplane::Region;
 
-    fn settings(cull: Cull, depth: DepthFormat) -> Settings {
+    fn settings(cull: Cull, depth: DepthFormat, level: Level) -> Settings {
         let region = Region::of_size(12, 10).unwrap();
-        Settings { region, cull, front: Winding::Clockwise, depth }
+        Settings { region, cull, front: Winding::Clockwise, depth, level }
     }
 
     /// Two overlapping triangles, of opposite windings, one of them through the near plane.
-    const CLIP: [[f32; 4]; 6] = [
-        [-0.9, -0.9, 0.3, 1.0],
-        [0.1, 0.9, 0.6, 1.0],
-        [0.8, -0.7, 0.2, 1.0],
-        [-2.0, 0.1, -0.5, 0.5],
-        [1.0, -0.8, 0.5, 1.0],
-        [0.9, 0.9, 0.7, 1.0],
+    const POSITIONS: [[f32; 3]; 6] = [
+        [-0.9, -0.9, 0.3],
+        [0.1, 0.9, 0.6],
+        [0.8, -0.7, 0.2],
+        [-2.0, 0.1, -0.5],
+        [1.0, -0.8, 0.5],
+        [0.9, 0.9, 0.7],
     ];
+
+    /// w is 1 + z / 2.
+    const MATRIX: [f32; 16] =
+        [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.5, 0.0, 0.0, 0.0, 1.0];
 
     #[test]
     fn every_wrong_pixel_is_found_and_shown() {
-        for depth in [DepthFormat::D32, DepthFormat::D16] {
+        let mesh = Mesh::plain(POSITIONS.to_vec(), (0..6).collect());
+        let clip = to_clip(&mesh, &MATRIX);
+        let formats = [DepthFormat::D32, DepthFormat::D16];
+        for (level, depth) in level::available().into_iter().flat_map(|l| formats.map(|d| (l, d))) {
             for cull in [Cull::None, Cull::Back, Cull::Front] {
-                let settings = settings(cull, depth);
-                let indices = [0, 1, 2, 3, 4, 5];
-                let mut picture = crate::render::render(&CLIP, &indices, &settings).unwrap();
-                let (scene, whole) = assemble(&CLIP, &indices, &settings);
+                let settings = settings(cull, depth, level);
+                let mut picture = render(&mesh, &MATRIX, &settings).unwrap();
+                let (scene, whole) = assemble(&clip, &mesh.indices, &settings);
                 assert_eq!(whole.len(), 1);
                 let report = compare(&scene, &picture, &|_| ()).unwrap();
                 assert!(report.identical() && report.covered > 0, "{report}");
@@ -165,14 +174,11 @@ mod tests {
 
     #[test]
     fn displacement_of_vertices_that_are_exact_is_nought() {
-        let settings = settings(Cull::None, DepthFormat::D32);
-        let mesh = crate::mesh::Mesh::plain(
-            vec![[-0.5, -0.5, 0.5], [0.0, 0.5, 0.5], [0.5, -0.5, 0.5]],
-            vec![0, 1, 2],
-        );
+        let settings = settings(Cull::None, DepthFormat::D32, Level::FALLBACK);
+        let mesh = Mesh::plain(vec![[-0.5, -0.5, 0.5], [0.0, 0.5, 0.5], [0.5, -0.5, 0.5]], vec![0, 1, 2]);
         let mut matrix = [0.0; 16];
         (0..4).for_each(|k| matrix[5 * k] = 1.0);
-        let clip = crate::render::to_clip(&mesh, &matrix);
+        let clip = to_clip(&mesh, &matrix);
         let (_, mut whole) = assemble(&clip, &mesh.indices, &settings);
         let measure = |whole: &[Whole]| displacement(&mesh, &matrix, &clip, whole, (12, 10), 8);
         assert_eq!(measure(&whole), Displacement { vertices: 3, from_clip: 0.0, from_model: 0.0 });

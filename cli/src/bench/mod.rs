@@ -1,0 +1,135 @@
+//! The command `bench`: frames of one scene by the protocol, in turns with what the machine can do at
+//! best.
+
+mod report;
+
+use std::cell::RefCell;
+use std::hint::black_box;
+use std::time::Duration;
+
+use halfplane::simd::RowAttachment;
+use halfplane::{D16, D32, Depth, DepthFormat, Standard, Statistics};
+
+use crate::args::{self, Attachments, Bench};
+use crate::camera::Matrix;
+use crate::command::{self, Subject};
+use crate::error::Error;
+use crate::measure::limits::{CLEAR_PIXELS, Limit};
+use crate::measure::motion::Motion;
+use crate::measure::protocol::{Contender, Frame, Plan, Summary, measure};
+use crate::render::Settings;
+use crate::target::Target;
+
+/// What was measured, and of what.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// The mesh's file, or the built-in scene.
+    pub scene: String,
+    /// Width and height in pixels.
+    pub size: (u32, u32),
+    /// The level's name.
+    pub level: &'static str,
+    /// What the frames write.
+    pub attachments: Attachments,
+    /// Bits of a depth.
+    pub depth_bits: u32,
+    /// Whether the camera moved.
+    pub moving: bool,
+    /// Frames before the measured ones.
+    pub warm_up: u32,
+    /// Vertices of the mesh.
+    pub vertices: usize,
+    /// Triangles of the mesh.
+    pub triangles: usize,
+    /// What became of the triangles, where the camera stands.
+    pub statistics: Statistics,
+    /// Pixels covered there.
+    pub covered: usize,
+    /// Whole frames: clear, transform, draw.
+    pub frame: Summary,
+    /// The limits.
+    pub limits: Limits,
+}
+
+/// What the machine can do at best.
+#[derive(Debug, Clone, Copy)]
+pub struct Limits {
+    /// The clear of 1280x720 numbers of 32 bits.
+    pub clear: Summary,
+    /// Reading, changing and writing them.
+    pub read_modify_write: Summary,
+    /// The vertex stage alone.
+    pub transform: Summary,
+}
+
+/// Measures, and prints a table or JSON.
+///
+/// # Errors
+///
+/// [`Error`] for a mesh or camera that is no good.
+pub fn run_bench(arguments: &Bench) -> Result<(), Error> {
+    let Bench { picture, json, .. } = arguments;
+    let (subject, matrix, settings) =
+        command::prepare(picture.file.as_deref(), &picture.options, &mut |_| ())?;
+    let outcome = match settings.depth {
+        args::DepthFormat::D32 => run::<D32>(&subject, &matrix, &settings, arguments)?,
+        args::DepthFormat::D16 => run::<D16>(&subject, &matrix, &settings, arguments)?,
+    };
+    command::print(&if *json { outcome.json() } else { outcome.table() })
+}
+
+fn run<D: DepthFormat<Standard>>(
+    subject: &Subject,
+    matrix: &Matrix,
+    settings: &Settings,
+    arguments: &Bench,
+) -> Result<Outcome, Error>
+where
+    for<'a> Depth<'a, Standard, D>: RowAttachment,
+{
+    let size = (settings.region.width(), settings.region.height());
+    let mesh = &subject.mesh;
+    let mut target = Target::<D>::new(mesh, settings, arguments.attachments)?;
+    let statistics = target.frame(matrix)?;
+    let covered = target.covered();
+
+    let motion = arguments.moving.then(|| Motion::new(&mesh.positions, matrix, size));
+    let target = RefCell::new(target);
+    let limit = RefCell::new(Limit::new(CLEAR_PIXELS));
+    let frames: [Frame<'_>; 4] = [
+        Box::new(|_| limit.borrow_mut().clear()),
+        Box::new(|_| limit.borrow_mut().read_modify_write()),
+        Box::new(|_| {
+            // What it refuses it would have refused above.
+            let _ = black_box(target.borrow_mut().vertices(matrix));
+        }),
+        Box::new(|number| {
+            let matrix = motion.as_ref().map_or(*matrix, |motion| motion.at(number));
+            let _ = black_box(target.borrow_mut().frame(&matrix));
+        }),
+    ];
+    let plan = Plan {
+        warm_up: arguments.warm_up,
+        frames: arguments.frames,
+        rounds: Plan::CLASSIC.rounds.min(arguments.frames),
+        limit: Duration::MAX,
+    };
+    let mut contenders = frames.map(|frame| Contender { plan, frame });
+    let summaries = measure(&mut contenders);
+    let summary = |place: usize| summaries.get(place).copied().unwrap_or_default();
+    Ok(Outcome {
+        scene: subject.name.clone(),
+        size,
+        level: settings.level.name(),
+        attachments: arguments.attachments,
+        depth_bits: D::BITS,
+        moving: arguments.moving,
+        warm_up: arguments.warm_up,
+        vertices: mesh.positions.len(),
+        triangles: mesh.triangles(),
+        statistics,
+        covered,
+        limits: Limits { clear: summary(0), read_modify_write: summary(1), transform: summary(2) },
+        frame: summary(3),
+    })
+}
