@@ -17,13 +17,13 @@
 
 #![forbid(unsafe_code)]
 
-pub mod buffer;
+// Shared with the command `bench`, so that its numbers and these mean the same.
+pub use halfplane_cli::measure::{buffer, limits, protocol};
+
 pub mod contest;
-pub mod limits;
 pub mod options;
 pub mod ours;
 pub mod peers;
-pub mod protocol;
 pub mod quoted;
 pub mod report;
 pub mod scenes;

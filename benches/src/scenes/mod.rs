@@ -3,14 +3,13 @@
 pub mod files;
 pub mod growth;
 pub mod micro;
-mod motion;
 
 use std::sync::Arc;
 
 use halfplane_cli::camera::Matrix;
 use halfplane_cli::mesh::Mesh;
 
-pub use motion::Motion;
+pub use halfplane_cli::measure::motion::Motion;
 
 /// A mesh seen by a camera. Front faces wind clockwise on the screen; the others are culled.
 #[derive(Debug, Clone)]
@@ -33,7 +32,7 @@ impl View {
     /// The matrix of this view's camera while it moves a little.
     #[must_use]
     pub fn motion(&self) -> Motion {
-        Motion::new(self)
+        Motion::new(&self.mesh.positions, &self.matrix, self.size)
     }
 
     /// The clip-space place of a position, as the rasterizer's own transform computes it.
