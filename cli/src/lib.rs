@@ -10,7 +10,7 @@
 //! | [`render`] | mesh and matrix to depth and ids |
 //! | [`picture`] | depth and ids to pictures |
 //! | [`verify`] | depth and ids against the reference |
-//! | [`measure`], [`bench`] | times of frames, beside the machine's limits |
+//! | [`measure`], [`mod@bench`] | times of frames, beside the machine's limits |
 //! | [`protocol`] | the doors for conformance kits |
 //! | [`output`] | files, whole or not at all |
 //! | [`command`] | all of that, in order |

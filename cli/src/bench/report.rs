@@ -18,19 +18,20 @@ impl Outcome {
     pub fn table(&self) -> String {
         let (width, height) = self.size;
         let Limits { clear, read_modify_write, transform } = &self.limits;
-        let depth = match self.attachments {
-            Attachments::Depth | Attachments::DepthIds => format!(" (depth in {} bits)", self.depth_bits),
-            Attachments::Ids | Attachments::Coverage => String::new(),
+        let bits = self.depth_bits;
+        let written = match self.attachments {
+            Attachments::Depth => format!("depth in {bits} bits"),
+            Attachments::DepthIds => format!("depth in {bits} bits and ids"),
+            Attachments::Ids | Attachments::Coverage => self.attachments.name().to_owned(),
         };
         let camera = if self.moving { "moving" } else { "standing still" };
         let mut text = format!(
-            "{}: {} triangles, {} vertices\n{width}x{height} pixels, {} covered, {}{depth}, level {}\n{}\n\
+            "{}: {} triangles, {} vertices\n{width}x{height} pixels, {} covered, {written}, level {}\n{}\n\
              one thread; camera {camera}; {} frames measured after {} to warm up; times in ms\n\n",
             self.scene,
             self.triangles,
             self.vertices,
             self.covered,
-            self.attachments.name(),
             self.level,
             self.statistics,
             self.frame.frames,
