@@ -62,6 +62,8 @@ table! {
     SIMD_MANY = 60;
     /// Frames of triangles with hardly any area.
     SIMD_STEEP = 400;
+    /// Frames of vertices whose last bit shows.
+    SIMD_VERTEX = 400;
     /// Rows of constant depths.
     SIMD_DEPTH = 300;
     /// Refused draws at every vector level.

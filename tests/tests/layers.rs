@@ -11,7 +11,7 @@ fn source(module: &[&str], text: &str) -> Source {
 fn the_core_imports_downwards() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../core/src");
     let sources = sources(&folder).unwrap();
-    for layer in ORDER.iter().chain(&["transform"]) {
+    for layer in ORDER.iter().chain(&["transform", "simd"]) {
         let files = sources.iter().filter(|source| source.module.first().is_some_and(|m| m == layer)).count();
         assert!(files > 1, "layer {layer} has {files} files: the reader has lost its way");
     }
@@ -33,6 +33,14 @@ fn upward_imports_are_found() {
     for (text, expected) in cases {
         assert_eq!(violations(&[root.clone(), source(&["geometry", "edge"], text)]), [expected]);
     }
+    // Nothing may name the vector code, which may name all.
+    let simd = "use crate::{simd::Level, numbers::Standard};";
+    for (layer, file) in [("transform", "model"), ("draw", "state"), ("attachments", "depth")] {
+        let expected = format!("{layer}/{file} names simd of simd");
+        assert_eq!(violations(&[root.clone(), source(&[layer, file], simd)]), [expected]);
+    }
+    let all = "use crate::{numbers, geometry, lanes, traversal, attachments, draw, transform, State};";
+    assert_eq!(violations(&[root.clone(), source(&["simd", "rows"], all)]), Vec::<String>::new());
     let transform = source(&["transform", "clip"], "use crate::traversal::Mask;");
     assert_eq!(violations(&[root, transform]), ["transform/clip names traversal of traversal"]);
 }

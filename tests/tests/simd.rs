@@ -1,6 +1,6 @@
 //! The vector code at every level of this machine.
 
-use halfplane::{CulledCounts, RejectedCounts, Standard, Statistics};
+use halfplane::{CulledCounts, RejectedCounts, Standard, Statistics, simd::Level};
 use halfplane_tests::{
     Frame,
     properties::{
@@ -60,6 +60,7 @@ fn levels_are_listed_from_the_best_down() {
     let mut distinct = names.clone();
     distinct.dedup();
     assert_eq!(distinct, names);
+    assert!(names.contains(&Level::baseline().name()), "{names:?}");
     #[cfg(target_arch = "x86_64")]
     assert!(names.contains(&"sse2"), "{names:?}");
     #[cfg(target_arch = "aarch64")]
@@ -115,6 +116,28 @@ fn steep_depths_are_the_scalar_ones() {
         },
     );
     met.assert_drawn(3);
+}
+
+/// At the far end of the largest target a float's last bit is a quarter of a step: any other order of
+/// operations moves vertices. Depths show where they are.
+#[test]
+fn vertices_are_the_scalar_ones_to_the_last_bit() {
+    let kinds = [Kind::Tiny, Kind::Small, Kind::Medium, Kind::Sliver, Kind::OnSamples];
+    let met = Met::default();
+    check(
+        sizes::SIMD_VERTEX,
+        (numbers::<12>(), numbers::<10>(), triangles(1..=16)),
+        |(mut place, mut how, triangles)| {
+            // The far end of both axes, seen through a viewport of the whole target.
+            place[0] = 10;
+            [how[0], how[1]] = [4, 2 + how[1] % 3];
+            // Matrices that are not far from the identity; any depths.
+            [how[2], how[7]] = [16 * (10 + how[2] % 10), 1];
+            met.count(depths_are_the_scalar_ones(&Case::from_numbers(place, how, &triangles, &kinds))?);
+            Ok(())
+        },
+    );
+    met.assert_drawn(20);
 }
 
 /// Doubled areas that are powers of two, up to the largest, and primes.

@@ -62,9 +62,9 @@ impl Case {
             None => at_the_limit(&frame, numbers),
         };
         let wanted: Vec<Corners> = triangles.iter().map(shape).collect();
-        // Often only few depths, so that some are equal.
+        // Often only few depths, so that some are equal, or on the near or the far plane.
         let depth = |&(_, _, z): &Numbers| match share % 3 {
-            0 => [[1 << 30, 1 << 31, 3 << 30][z[0] as usize % 3]; 3],
+            0 => [[1 << 30, 1 << 31, 3 << 30, 0, u32::MAX][z[0] as usize % 5]; 3],
             _ => depths(z),
         };
         let given: Vec<_> = wanted.iter().copied().zip(triangles.iter().map(depth)).collect();
@@ -168,7 +168,7 @@ struct Storage {
 }
 
 impl Storage {
-    /// Cleared, or filled with anything.
+    /// Cleared, or filled with anything and sometimes longer than is needed.
     fn new(region: Region<Standard>, contents: u32) -> Self {
         let (width, height) = (region.width(), region.height());
         let (blocks, texels) = (blocks(width, height), texels(width, height));
@@ -182,6 +182,8 @@ impl Storage {
             };
         }
         let mut random = Random(contents.into());
+        let more = contents as usize / 2 % 3;
+        let (blocks, texels) = (blocks + more, texels + 16 * more);
         Self {
             region,
             masks: (0..blocks).map(|_| random.bits() as u16).collect(),

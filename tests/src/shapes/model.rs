@@ -17,7 +17,7 @@ pub enum Projection {
     Scaled,
     /// Each vertex has its own w; some are before the near or beyond the far plane, or behind the eye.
     Perspective,
-    /// A matrix near the identity with all entries in use.
+    /// A matrix near a shear and a translation with all entries in use: the order of additions shows.
     Skewed,
     /// Any bits.
     Bits,
@@ -70,6 +70,8 @@ pub fn model(
     let [a, b, c, d] = numbers;
     let mut random = Random(u64::from(a) << 32 | u64::from(b));
     let mut matrix = IDENTITY;
+    // What x and y grow by for z, and at z = 0.
+    let [mut shear, mut shift] = [[0.0; 2]; 2];
     match projection {
         Projection::Flat | Projection::HalfSteps => {}
         Projection::Scaled => {
@@ -94,6 +96,12 @@ pub fn model(
             for entry in matrix.as_flattened_mut() {
                 *entry += random.between(-1000, 1000) as f32 / (1 << (d % 20)) as f32 / 1000.0;
             }
+            [shear, shift] =
+                [[0; 2]; 2].map(|pair| pair.map(|_: i32| random.between(-999, 999) as f32 / 999.0));
+            for axis in 0..2 {
+                matrix[2][axis] += shear[axis];
+                matrix[3][axis] += shift[axis];
+            }
         }
         Projection::Bits => {
             // w is constant, or any of the others.
@@ -115,7 +123,7 @@ pub fn model(
             let x = ((f64::from(x) + nudge(&mut random)) / 256.0 - center_x) / half_width;
             let y = (center_y - (f64::from(y) + nudge(&mut random)) / 256.0) / half_height;
             let z = (f64::from(z) / f64::from(u32::MAX)) as f32;
-            let [mut x, mut y] = [x as f32, y as f32];
+            let [mut x, mut y] = [x as f32 - shear[0] * z - shift[0], y as f32 - shear[1] * z - shift[1]];
             vertices.push(match projection {
                 Projection::Perspective => {
                     let w = random.between(-40, 600) as f32 / 16.0;
