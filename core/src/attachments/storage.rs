@@ -132,13 +132,13 @@ impl<'a, F: Format, T> Tiled<'a, F, T> {
         place.wrapping_add(self.pitch as usize)
     }
 
-    /// `count` blocks from the one `from` blocks to the right of a place; none where they are not all in
-    /// the storage.
+    /// `count` blocks from the one `from` blocks to the right of a place, as far as the storage has them.
     #[cfg(feature = "simd")]
     #[inline(always)]
     pub(crate) fn row_mut(&mut self, place: usize, from: u32, count: u32) -> &mut [T] {
-        let first = place.wrapping_add(from as usize);
-        self.blocks.get_mut(first..).and_then(|row| row.get_mut(..count as usize)).unwrap_or(&mut [])
+        let rest = self.blocks.get_mut(place.wrapping_add(from as usize)..).unwrap_or(&mut []);
+        let count = rest.len().min(count as usize);
+        rest.get_mut(..count).unwrap_or(&mut [])
     }
 
     #[inline]

@@ -6,7 +6,7 @@ use crate::{
     numbers::Standard,
 };
 use core::{iter::Zip, slice::IterMut};
-use fearless_simd::{Simd, i16x16, i32x16, mask32x16, prelude::*, u16x16, u32x8, u32x16, u64x4};
+use fearless_simd::{Simd, mask16x16, mask32x16, prelude::*, u16x16, u32x16};
 
 /// An attachment, or a tuple of them, that the fast path can write: coverage, depth, ids, depth with
 /// ids. Others are drawn by [`draw`](crate::draw()).
@@ -14,24 +14,22 @@ pub trait RowAttachment: Attachment<Standard> + Rows {}
 
 impl<A: Attachment<Standard> + Rows> RowAttachment for A {}
 
-/// Depth as 32.32 fixed point modulo 2^64.
+/// What depth grows by from pixel to pixel, to the right and down: 32.32 fixed point modulo 2^64.
 #[derive(Clone, Copy, Debug)]
-pub struct DepthPlane {
-    /// At the sample that offsets count from.
-    pub(super) origin: u64,
-    /// What a pixel to the right adds.
+pub struct Gradients {
     pub(super) x: u64,
-    /// What a pixel down adds.
     pub(super) y: u64,
 }
 
 /// The operations; private, as their arguments have preconditions.
 pub(super) mod rows {
-    use super::{DepthPlane, DepthSetup, Simd, mask32x16};
+    use super::{DepthSetup, Gradients, Simd, mask32x16};
 
     pub trait Rows {
         /// The depth that set-up has to prepare.
         const DEPTH: DepthSetup;
+        /// Whether the picture depends on the order of the triangles.
+        const ORDERED: bool;
         /// What a triangle's blocks have in common.
         type Lanes<S: Simd>: Copy;
         /// The blocks of a row, from left to right.
@@ -45,10 +43,7 @@ pub(super) mod rows {
         fn fast(&self) -> bool;
 
         /// Prepares a triangle.
-        fn prepare<S: Simd>(&self, simd: S, depth: &DepthPlane, id: u32) -> Self::Lanes<S>;
-
-        /// Begins a row, where the depth plane's value is `depth` at the first sample.
-        fn begin_row<S: Simd>(simd: S, lanes: &mut Self::Lanes<S>, depth: u64);
+        fn prepare<S: Simd>(&self, simd: S, gradients: Gradients, id: u32) -> Self::Lanes<S>;
 
         /// The place of the block at pixel (`x`, `y`).
         fn cursor(&self, x: u32, y: u32) -> Self::Cursor;
@@ -56,16 +51,18 @@ pub(super) mod rows {
         /// The place below.
         fn next_row(&self, cursor: Self::Cursor) -> Self::Cursor;
 
-        /// `blocks` blocks from the one `from` blocks to the right of a place.
+        /// `blocks` blocks from a place on, as far as there are any.
         fn row(&mut self, cursor: Self::Cursor, from: u32, blocks: u32) -> Self::Row<'_>;
 
-        /// Writes one block, given the samples outside the triangle; returns those that later
-        /// attachments are not to see.
+        /// Writes one block, given the samples inside the triangle and the depth at its first sample in
+        /// units of 2^-32, rounded to the format's units; returns the samples that later attachments are
+        /// to see.
         fn write<'r, S: Simd>(
             simd: S,
-            lanes: &mut Self::Lanes<S>,
+            lanes: &Self::Lanes<S>,
             block: <Self::Row<'r> as Iterator>::Item,
-            outside: mask32x16<S>,
+            inside: mask32x16<S>,
+            depth: u32,
         ) -> mask32x16<S>
         where
             Self: 'r;
@@ -73,53 +70,27 @@ pub(super) mod rows {
 }
 use rows::Rows;
 
-/// The depths of a block: a base that steps from block to block, the same in every lane, and offsets
-/// from there.
-#[derive(Clone, Copy)]
-pub struct DepthLanes<S: Simd, O> {
-    offsets: O,
-    base: u64x4<S>,
-    step: u64x4<S>,
-}
-
-impl<S: Simd, O> DepthLanes<S, O> {
-    #[inline(always)]
-    fn new(simd: S, offsets: O, plane: &DepthPlane) -> Self {
-        let step = u64x4::splat(simd, plane.x.wrapping_mul(4));
-        Self { offsets, base: u64x4::splat(simd, 0), step }
-    }
-
-    /// The upper half of the base in each of eight lanes; then the next block's base.
-    #[inline(always)]
-    fn next(&mut self, simd: S) -> u32x8<S> {
-        let upper = self.base >> 32;
-        let even = u32x8::simd_from(simd, [1, 0, 1, 0, 1, 0, 1, 0]).simd_eq(u32x8::splat(simd, 1));
-        let base = even.select(upper.bitcast::<u32x8<S>>(), self.base.bitcast());
-        self.base += self.step;
-        base
-    }
-}
-
-/// The offsets of a block's sixteen samples from its first, rounded to 32 bits.
+/// The depths of a block's sixteen samples above its first one in units of 2^-32, rounded down after
+/// adding `half` units of 2^-56.
+///
+/// Gradients per pixel are multiples of 2^-56: their low 24 bits times at most 3 + 3 pixels, and a half,
+/// fit 32 bits, so nothing is lost.
 #[inline(always)]
-fn offsets<S: Simd>(simd: S, plane: &DepthPlane, half: u64) -> u32x16<S> {
-    let once = u64x4::splat(simd, plane.x);
-    let columns = (once & u64x4::simd_from(simd, [0, u64::MAX, 0, u64::MAX]))
-        + ((once + once) & u64x4::simd_from(simd, [0, 0, u64::MAX, u64::MAX]));
-    let row0 = columns + u64x4::splat(simd, half);
-    let row1 = row0 + u64x4::splat(simd, plane.y);
-    let row2 = row1 + u64x4::splat(simd, plane.y);
-    let row3 = row2 + u64x4::splat(simd, plane.y);
-    // The upper halves.
-    let (row0, row1): (u32x8<S>, u32x8<S>) = (row0.bitcast(), row1.bitcast());
-    let (row2, row3): (u32x8<S>, u32x8<S>) = (row2.bitcast(), row3.bitcast());
-    let (low, high) = (row0.unzip_high(row1), row2.unzip_high(row3));
-    simd.combine_u32x8(low, high)
+fn offsets<S: Simd>(simd: S, gradients: Gradients, half: u32) -> u32x16<S> {
+    let columns = u32x16::simd_from(simd, [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3]);
+    let rows = u32x16::simd_from(simd, [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3]);
+    let high = columns * u32x16::splat(simd, (gradients.x >> 32) as u32)
+        + rows * u32x16::splat(simd, (gradients.y >> 32) as u32);
+    let low = columns * u32x16::splat(simd, gradients.x as u32 >> 8)
+        + rows * u32x16::splat(simd, gradients.y as u32 >> 8)
+        + u32x16::splat(simd, half);
+    high + (low >> 24)
 }
 
 impl Rows for Depth<'_, Standard, D32> {
     const DEPTH: DepthSetup = DepthSetup::D32;
-    type Lanes<S: Simd> = DepthLanes<S, u32x16<S>>;
+    const ORDERED: bool = false;
+    type Lanes<S: Simd> = u32x16<S>;
     type Row<'r>
         = IterMut<'r, [u32; 16]>
     where
@@ -132,13 +103,8 @@ impl Rows for Depth<'_, Standard, D32> {
     }
 
     #[inline(always)]
-    fn prepare<S: Simd>(&self, simd: S, depth: &DepthPlane, _id: u32) -> Self::Lanes<S> {
-        DepthLanes::new(simd, offsets(simd, depth, 1 << 31), depth)
-    }
-
-    #[inline(always)]
-    fn begin_row<S: Simd>(simd: S, lanes: &mut Self::Lanes<S>, depth: u64) {
-        lanes.base = u64x4::splat(simd, depth.wrapping_add(1 << 31));
+    fn prepare<S: Simd>(&self, simd: S, gradients: Gradients, _id: u32) -> Self::Lanes<S> {
+        offsets(simd, gradients, 1 << 23)
     }
 
     #[inline(always)]
@@ -159,27 +125,29 @@ impl Rows for Depth<'_, Standard, D32> {
     #[inline(always)]
     fn write<'r, S: Simd>(
         simd: S,
-        lanes: &mut Self::Lanes<S>,
+        lanes: &Self::Lanes<S>,
         block: &'r mut [u32; 16],
-        outside: mask32x16<S>,
+        inside: mask32x16<S>,
+        depth: u32,
     ) -> mask32x16<S>
     where
         Self: 'r,
     {
-        let base = lanes.next(simd);
-        let depths = lanes.offsets + simd.combine_u32x8(base, base);
-        // Outside, the largest value, which wins nowhere.
-        let never = outside.select(u32x16::splat(simd, u32::MAX), u32x16::splat(simd, 0));
+        let depths = *lanes + u32x16::splat(simd, depth);
+        // Outside, the largest value, which wins nowhere. (A select here would become a masked store, which
+        // is slow.)
+        let never = inside.select(u32x16::splat(simd, 0), u32x16::splat(simd, u32::MAX));
         let stored = u32x16::simd_from(simd, *block);
-        let nearest = stored.min(depths.max(never));
-        nearest.store_slice(block);
-        nearest.simd_eq(stored)
+        let depths = depths.max(never);
+        stored.min(depths).store_slice(block);
+        depths.simd_lt(stored)
     }
 }
 
 impl Rows for Depth<'_, Standard, D16> {
     const DEPTH: DepthSetup = DepthSetup::D16;
-    type Lanes<S: Simd> = DepthLanes<S, u16x16<S>>;
+    const ORDERED: bool = false;
+    type Lanes<S: Simd> = u16x16<S>;
     type Row<'r>
         = IterMut<'r, [u16; 16]>
     where
@@ -192,16 +160,10 @@ impl Rows for Depth<'_, Standard, D16> {
     }
 
     #[inline(always)]
-    fn prepare<S: Simd>(&self, simd: S, depth: &DepthPlane, _id: u32) -> Self::Lanes<S> {
-        let mut wide = [0; 16];
-        offsets(simd, depth, 1 << 47).store_slice(&mut wide);
-        let offsets = u16x16::simd_from(simd, wide.map(upper_half));
-        DepthLanes::new(simd, offsets, depth)
-    }
-
-    #[inline(always)]
-    fn begin_row<S: Simd>(simd: S, lanes: &mut Self::Lanes<S>, depth: u64) {
-        lanes.base = u64x4::splat(simd, depth.wrapping_add(1 << 47));
+    fn prepare<S: Simd>(&self, simd: S, gradients: Gradients, _id: u32) -> Self::Lanes<S> {
+        let offsets = (offsets(simd, gradients, 0) + u32x16::splat(simd, 1 << 15)) >> 16;
+        let (low, high) = simd.split_u32x16(offsets);
+        simd.narrow_u32x8(low, high)
     }
 
     #[inline(always)]
@@ -222,35 +184,40 @@ impl Rows for Depth<'_, Standard, D16> {
     #[inline(always)]
     fn write<'r, S: Simd>(
         simd: S,
-        lanes: &mut Self::Lanes<S>,
+        lanes: &Self::Lanes<S>,
         block: &'r mut [u16; 16],
-        outside: mask32x16<S>,
+        inside: mask32x16<S>,
+        depth: u32,
     ) -> mask32x16<S>
     where
         Self: 'r,
     {
-        let base = lanes.next(simd) >> 16;
-        let base: u16x16<S> = (base | base << 16).bitcast();
-        let depths = lanes.offsets + base;
-        let never = outside.select(i32x16::splat(simd, -1), i32x16::splat(simd, 0));
-        let (low, high) = simd.split_i32x16(never);
-        let never: u16x16<S> = simd.saturating_narrow_i32x8(low, high).bitcast();
+        let depths = *lanes + u16x16::splat(simd, (depth >> 16) as u16);
+        let never = mask16(simd, inside).select(u16x16::splat(simd, 0), u16x16::splat(simd, u16::MAX));
+        let depths = depths.max(never);
         let stored = u16x16::simd_from(simd, *block);
-        let nearest = stored.min(depths.max(never));
-        nearest.store_slice(block);
-        let same: i16x16<S> = nearest.simd_eq(stored).select(i16x16::splat(simd, -1), i16x16::splat(simd, 0));
-        let (low, high) = simd.widen_i16x16(same);
-        simd.combine_i32x8(low, high).simd_lt(i32x16::splat(simd, 0))
+        stored.min(depths).store_slice(block);
+        mask32(simd, depths.simd_lt(stored))
     }
 }
 
+/// The same lanes, half as wide.
 #[inline(always)]
-fn upper_half(value: u32) -> u16 {
-    (value >> 16) as u16
+fn mask16<S: Simd>(simd: S, mask: mask32x16<S>) -> mask16x16<S> {
+    let (low, high) = simd.split_mask32x16(mask);
+    simd.narrow_mask32x8(low, high)
+}
+
+/// The same lanes, twice as wide.
+#[inline(always)]
+fn mask32<S: Simd>(simd: S, mask: mask16x16<S>) -> mask32x16<S> {
+    let (low, high) = simd.widen_mask16x16(mask);
+    simd.combine_mask32x8(low, high)
 }
 
 impl Rows for Ids<'_, Standard> {
     const DEPTH: DepthSetup = DepthSetup::None;
+    const ORDERED: bool = true;
     type Lanes<S: Simd> = u32x16<S>;
     type Row<'r>
         = IterMut<'r, [u32; 16]>
@@ -264,12 +231,9 @@ impl Rows for Ids<'_, Standard> {
     }
 
     #[inline(always)]
-    fn prepare<S: Simd>(&self, simd: S, _depth: &DepthPlane, id: u32) -> Self::Lanes<S> {
+    fn prepare<S: Simd>(&self, simd: S, _gradients: Gradients, id: u32) -> Self::Lanes<S> {
         u32x16::splat(simd, id)
     }
-
-    #[inline(always)]
-    fn begin_row<S: Simd>(_simd: S, _lanes: &mut Self::Lanes<S>, _depth: u64) {}
 
     #[inline(always)]
     fn cursor(&self, x: u32, y: u32) -> usize {
@@ -289,21 +253,23 @@ impl Rows for Ids<'_, Standard> {
     #[inline(always)]
     fn write<'r, S: Simd>(
         simd: S,
-        lanes: &mut Self::Lanes<S>,
+        lanes: &Self::Lanes<S>,
         block: &'r mut [u32; 16],
-        outside: mask32x16<S>,
+        inside: mask32x16<S>,
+        _depth: u32,
     ) -> mask32x16<S>
     where
         Self: 'r,
     {
         let stored = u32x16::simd_from(simd, *block);
-        outside.select(stored, *lanes).store_slice(block);
-        outside
+        inside.select(*lanes, stored).store_slice(block);
+        inside
     }
 }
 
 impl Rows for Coverage<'_, Standard> {
     const DEPTH: DepthSetup = DepthSetup::None;
+    const ORDERED: bool = false;
     type Lanes<S: Simd> = ();
     type Row<'r>
         = IterMut<'r, u16>
@@ -317,10 +283,7 @@ impl Rows for Coverage<'_, Standard> {
     }
 
     #[inline(always)]
-    fn prepare<S: Simd>(&self, _simd: S, _depth: &DepthPlane, _id: u32) {}
-
-    #[inline(always)]
-    fn begin_row<S: Simd>(_simd: S, (): &mut (), _depth: u64) {}
+    fn prepare<S: Simd>(&self, _simd: S, _gradients: Gradients, _id: u32) {}
 
     #[inline(always)]
     fn cursor(&self, x: u32, y: u32) -> usize {
@@ -338,12 +301,18 @@ impl Rows for Coverage<'_, Standard> {
     }
 
     #[inline(always)]
-    fn write<'r, S: Simd>(_simd: S, (): &mut (), block: &'r mut u16, outside: mask32x16<S>) -> mask32x16<S>
+    fn write<'r, S: Simd>(
+        _simd: S,
+        (): &(),
+        block: &'r mut u16,
+        inside: mask32x16<S>,
+        _depth: u32,
+    ) -> mask32x16<S>
     where
         Self: 'r,
     {
-        *block |= !outside.to_bitmask() as u16;
-        outside
+        *block |= inside.to_bitmask() as u16;
+        inside
     }
 }
 
@@ -352,6 +321,7 @@ impl<A: Rows, B: Rows> Rows for (A, B) {
         (DepthSetup::None, depth) | (depth, DepthSetup::None) => depth,
         _ => panic!("two depth attachments in one draw"),
     };
+    const ORDERED: bool = A::ORDERED || B::ORDERED;
     type Lanes<S: Simd> = (A::Lanes<S>, B::Lanes<S>);
     type Row<'r>
         = Zip<A::Row<'r>, B::Row<'r>>
@@ -365,14 +335,8 @@ impl<A: Rows, B: Rows> Rows for (A, B) {
     }
 
     #[inline(always)]
-    fn prepare<S: Simd>(&self, simd: S, depth: &DepthPlane, id: u32) -> Self::Lanes<S> {
-        (self.0.prepare(simd, depth, id), self.1.prepare(simd, depth, id))
-    }
-
-    #[inline(always)]
-    fn begin_row<S: Simd>(simd: S, lanes: &mut Self::Lanes<S>, depth: u64) {
-        A::begin_row(simd, &mut lanes.0, depth);
-        B::begin_row(simd, &mut lanes.1, depth);
+    fn prepare<S: Simd>(&self, simd: S, gradients: Gradients, id: u32) -> Self::Lanes<S> {
+        (self.0.prepare(simd, gradients, id), self.1.prepare(simd, gradients, id))
     }
 
     #[inline(always)]
@@ -393,20 +357,22 @@ impl<A: Rows, B: Rows> Rows for (A, B) {
     #[inline(always)]
     fn write<'r, S: Simd>(
         simd: S,
-        lanes: &mut Self::Lanes<S>,
+        lanes: &Self::Lanes<S>,
         (a, b): <Self::Row<'r> as Iterator>::Item,
-        outside: mask32x16<S>,
+        inside: mask32x16<S>,
+        depth: u32,
     ) -> mask32x16<S>
     where
         Self: 'r,
     {
-        let outside = A::write(simd, &mut lanes.0, a, outside);
-        B::write(simd, &mut lanes.1, b, outside)
+        let inside = A::write(simd, &lanes.0, a, inside, depth);
+        B::write(simd, &lanes.1, b, inside, depth)
     }
 }
 
 impl<A: Rows> Rows for &mut A {
     const DEPTH: DepthSetup = A::DEPTH;
+    const ORDERED: bool = A::ORDERED;
     type Lanes<S: Simd> = A::Lanes<S>;
     type Row<'r>
         = A::Row<'r>
@@ -420,13 +386,8 @@ impl<A: Rows> Rows for &mut A {
     }
 
     #[inline(always)]
-    fn prepare<S: Simd>(&self, simd: S, depth: &DepthPlane, id: u32) -> Self::Lanes<S> {
-        (**self).prepare(simd, depth, id)
-    }
-
-    #[inline(always)]
-    fn begin_row<S: Simd>(simd: S, lanes: &mut Self::Lanes<S>, depth: u64) {
-        A::begin_row(simd, lanes, depth);
+    fn prepare<S: Simd>(&self, simd: S, gradients: Gradients, id: u32) -> Self::Lanes<S> {
+        (**self).prepare(simd, gradients, id)
     }
 
     #[inline(always)]
@@ -447,13 +408,14 @@ impl<A: Rows> Rows for &mut A {
     #[inline(always)]
     fn write<'r, S: Simd>(
         simd: S,
-        lanes: &mut Self::Lanes<S>,
+        lanes: &Self::Lanes<S>,
         block: <Self::Row<'r> as Iterator>::Item,
-        outside: mask32x16<S>,
+        inside: mask32x16<S>,
+        depth: u32,
     ) -> mask32x16<S>
     where
         Self: 'r,
     {
-        A::write(simd, lanes, block, outside)
+        A::write(simd, lanes, block, inside, depth)
     }
 }

@@ -1,24 +1,26 @@
-//! Culling, eight triangles at a time, from snapped vertices and indices.
+//! Culling, sixteen triangles at a time, from snapped vertices and indices.
 
 use super::{
-    fetch::fetch,
-    ops::splat,
-    queue::Queue,
-    setup::SMALL_EXTENT,
-    vertex::{PLANES, SPECIAL, Snapped},
+    extent::{Extent, SMALL_EXTENT},
+    fetch::Records,
+    ops::{bits, greatest, least, splat},
+    vertex::{PLANES, SPECIAL},
 };
 use crate::{
-    draw::{Index, State, Statistics},
+    draw::{Index, State},
     geometry::{Region, Winding},
     numbers::Standard,
 };
-use fearless_simd::{Simd, i32x8, prelude::*};
+use fearless_simd::{Simd, i32x16, mask32x16, prelude::*};
 
-/// What eight triangles are, one bit each; each triangle has one.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Verdict {
+/// What sixteen triangles are, one bit each; each triangle has one.
+#[derive(Clone, Copy)]
+pub(super) struct Verdict<S: Simd> {
     /// Drawn by the fast path: of small extent, with a sample in the bounds.
-    pub(super) fast: u32,
+    pub(super) fast: mask32x16<S>,
+    /// Of these, the small ones and the medium ones.
+    pub(super) small: mask32x16<S>,
+    pub(super) medium: mask32x16<S>,
     /// Left to the scalar path: to be clipped, not finite, or of large extent.
     pub(super) slow: u32,
     /// Outside the frustum or the region.
@@ -36,13 +38,11 @@ pub(super) struct Verdict {
 pub(super) struct Culling<S: Simd> {
     simd: S,
     /// The region's ends in steps.
-    left: i32x8<S>,
-    right: i32x8<S>,
-    top: i32x8<S>,
-    bottom: i32x8<S>,
-    /// Added to a coordinate before the shift to the first pixel whose sample is not before it.
-    up_x: i32x8<S>,
-    up_y: i32x8<S>,
+    left: i32x16<S>,
+    right: i32x16<S>,
+    top: i32x16<S>,
+    bottom: i32x16<S>,
+    extent: Extent<S>,
     /// All bits where clockwise triangles are culled.
     clockwise: u32,
     /// All bits where counter-clockwise triangles are culled.
@@ -52,93 +52,45 @@ pub(super) struct Culling<S: Simd> {
 impl<S: Simd> Culling<S> {
     #[inline(always)]
     pub(super) fn new(simd: S, region: Region<Standard>, state: &State<Standard>) -> Self {
-        let (sample_x, sample_y) = state.sample.of_pixel(0, 0);
-        let bits = |culled| if culled { u32::MAX } else { 0 };
+        let culled = |winding| if state.cull.culls(winding, state.front) { u32::MAX } else { 0 };
         Self {
             simd,
             left: splat(simd, (region.x0() as i32) << 8),
             right: splat(simd, (region.x1() as i32) << 8),
             top: splat(simd, (region.y0() as i32) << 8),
             bottom: splat(simd, (region.y1() as i32) << 8),
-            up_x: splat(simd, 255 - sample_x),
-            up_y: splat(simd, 255 - sample_y),
-            clockwise: bits(state.cull.culls(Winding::Clockwise, state.front)),
-            counter_clockwise: bits(state.cull.culls(Winding::CounterClockwise, state.front)),
+            extent: Extent::new(simd, region, state),
+            clockwise: culled(Winding::Clockwise),
+            counter_clockwise: culled(Winding::CounterClockwise),
         }
     }
 
-    /// Culls triangles from place `from` on until the queue is full or none are left; how many.
+    /// Decides on sixteen triangles, of which the first `present` bits are there, in the order that a
+    /// scalar draw does: outside, clipping, area, facing, samples.
     #[inline(always)]
-    pub(super) fn fill<I: Index>(
+    pub(super) fn sixteen<I: Index>(
         &self,
-        records: &[Snapped],
-        triangles: &[[I; 3]],
-        from: usize,
-        first_id: u32,
-        queue: &mut Queue,
-        statistics: &mut Statistics,
-    ) -> usize {
-        self.simd.vectorize(
-            #[inline(always)]
-            || {
-                self.fill_inline(
-                    records,
-                    triangles.get(from..).unwrap_or(&[]),
-                    first_id.wrapping_add(from as u32),
-                    queue,
-                    statistics,
-                )
-            },
-        )
-    }
-
-    #[inline(always)]
-    fn fill_inline<I: Index>(
-        &self,
-        records: &[Snapped],
-        triangles: &[[I; 3]],
-        first_id: u32,
-        queue: &mut Queue,
-        statistics: &mut Statistics,
-    ) -> usize {
-        let mut done = 0;
-        let mut last;
-        while done < triangles.len() && queue.has_room() {
-            let rest = triangles.get(done..).unwrap_or(&[]);
-            let (eight, present) = match rest.first_chunk::<8>() {
-                Some(eight) => (eight, 0xFF),
-                None => {
-                    last = padded(rest);
-                    (&last, (1 << rest.len()) - 1)
-                }
-            };
-            let verdict = self.eight(records, eight);
-            let culled = &mut statistics.culled;
-            culled.outside += (verdict.outside & present).count_ones();
-            culled.zero_area += (verdict.zero_area & present).count_ones();
-            culled.facing += (verdict.facing & present).count_ones();
-            culled.no_sample += (verdict.no_sample & present).count_ones();
-            let mut left = (verdict.fast | verdict.slow) & present;
-            while left != 0 {
-                let lane = left.trailing_zeros();
-                left &= left - 1;
-                let [a, b, c] = eight[lane as usize & 7];
-                let id = first_id.wrapping_add(done as u32).wrapping_add(lane);
-                queue.push([a.to_u32(), b.to_u32(), c.to_u32()], id, verdict.slow >> lane & 1 != 0);
-            }
-            done += rest.len().min(8);
-        }
-        done
-    }
-
-    /// Decides on eight triangles, in the order that a scalar draw does: outside, clipping, area,
-    /// facing, samples.
-    #[inline(always)]
-    pub(super) fn eight<I: Index>(&self, records: &[Snapped], triangles: &[[I; 3]; 8]) -> Verdict {
+        records: Records<'_>,
+        triangles: &[[I; 3]; 16],
+        present: u32,
+    ) -> Verdict<S> {
         let simd = self.simd;
-        let [a, b, c] = fetch(simd, records, triangles);
-        let (left, right) = (a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x));
-        let (top, bottom) = (a.y.min(b.y).min(c.y), a.y.max(b.y).max(c.y));
+        let none = mask32x16::splat(simd, false);
+        let Some([a, b, c]) = records.corners(simd, triangles) else {
+            // Indices were checked before.
+            return Verdict {
+                fast: none,
+                small: none,
+                medium: none,
+                slow: 0,
+                outside: present,
+                zero_area: 0,
+                facing: 0,
+                no_sample: 0,
+            };
+        };
+        let (left, right) = (least(a.x, b.x, c.x), greatest(a.x, b.x, c.x));
+        let (top, bottom) = (least(a.y, b.y, c.y), greatest(a.y, b.y, c.y));
         let zero = splat(simd, 0);
         let last_special = splat(simd, SPECIAL + PLANES);
         let special = left.simd_le(last_special);
@@ -147,32 +99,33 @@ impl<S: Simd> Culling<S> {
             | bottom.simd_le(self.top)
             | top.simd_ge(self.bottom);
         let excluded = (a.x & b.x & c.x & splat(simd, PLANES)).simd_gt(zero) & right.simd_le(last_special);
-        let outside = (special & excluded) | (!special & beyond);
+        let outside = bits((special & excluded) | (!special & beyond)) & present;
 
         let large = (right - left).max(bottom - top).simd_ge(splat(simd, SMALL_EXTENT));
         let area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
-        let empty = ((left + self.up_x) >> 8).simd_eq((right + self.up_x) >> 8)
-            | ((top + self.up_y) >> 8).simd_eq((bottom + self.up_y) >> 8);
-
-        let outside = outside.to_bitmask() as u32;
-        let slow = (special | large).to_bitmask() as u32 & !outside;
-        let rest = 0xFF & !outside & !slow;
-        let positive = area.simd_gt(zero).to_bitmask() as u32;
-        let negative = area.simd_lt(zero).to_bitmask() as u32;
+        let extent = self.extent;
+        let bounds = extent.bounds([left, right, top, bottom]);
+        let slow = bits(special | large) & present & !outside;
+        let rest = present & !outside & !slow;
+        let positive = bits(area.simd_gt(zero));
+        let negative = bits(area.simd_lt(zero));
         let zero_area = rest & !positive & !negative;
         let facing = rest & ((positive & self.clockwise) | (negative & self.counter_clockwise));
         let rest = rest & !zero_area & !facing;
-        let no_sample = rest & empty.to_bitmask() as u32;
-        Verdict { fast: rest & !no_sample, slow, outside, zero_area, facing, no_sample }
+        let no_sample = rest & bits(bounds.empty());
+        let fast = mask32x16::from_bitmask(simd, u64::from(rest & !no_sample));
+        let small = fast & bounds.small();
+        let medium = fast & bounds.medium() & !small;
+        Verdict { fast, small, medium, slow, outside, zero_area, facing, no_sample }
     }
 }
 
-/// The last triangles, fewer than eight, with triangles without area after them.
+/// The last triangles, fewer than sixteen, with others after them that do not matter.
 #[inline(always)]
-fn padded<I: Index>(rest: &[[I; 3]]) -> [[I; 3]; 8] {
-    let mut eight = [[I::ZERO; 3]; 8];
-    for (to, from) in eight.iter_mut().zip(rest) {
+pub(super) fn padded<I: Index>(rest: &[[I; 3]]) -> [[I; 3]; 16] {
+    let mut sixteen = [[I::ZERO; 3]; 16];
+    for (to, from) in sixteen.iter_mut().zip(rest) {
         *to = *from;
     }
-    eight
+    sixteen
 }

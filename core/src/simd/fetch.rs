@@ -1,86 +1,136 @@
-//! The snapped corners of eight triangles, from records to lanes.
+//! The snapped corners of sixteen triangles, from the vertex stage's records to lanes.
 
-use super::vertex::{MISSING, Snapped};
 use crate::draw::Index;
-use fearless_simd::{Simd, i32x8, mask32x8, prelude::*, u32x4, u32x8, u64x2};
+use fearless_simd::{Simd, i32x16, mask32x16, prelude::*, u32x4, u32x16, u64x2};
 
-/// One corner of eight triangles: x and y in steps, z as unorm32.
+/// The vertex stage's output: x and y in steps, and z as unorm32, apart.
+#[derive(Clone, Copy)]
+pub(super) struct Records<'a> {
+    pub(super) places: &'a [[u32; 2]],
+    pub(super) depths: &'a [u32],
+}
+
+/// One corner of sixteen triangles: x and y in steps.
 #[derive(Clone, Copy)]
 pub(super) struct Corner<S: Simd> {
-    pub(super) x: i32x8<S>,
-    pub(super) y: i32x8<S>,
-    pub(super) z: u32x8<S>,
+    pub(super) x: i32x16<S>,
+    pub(super) y: i32x16<S>,
 }
 
 impl<S: Simd> Corner<S> {
     #[inline(always)]
-    pub(super) fn select(mask: mask32x8<S>, yes: Self, no: Self) -> Self {
-        Self { x: mask.select(yes.x, no.x), y: mask.select(yes.y, no.y), z: mask.select(yes.z, no.z) }
+    pub(super) fn select(mask: mask32x16<S>, yes: Self, no: Self) -> Self {
+        Self { x: mask.select(yes.x, no.x), y: mask.select(yes.y, no.y) }
     }
 }
 
-/// The corners of eight triangles. What of them is not used costs nothing.
+/// Where the first, second or third corners of sixteen triangles are.
 #[inline(always)]
-pub(super) fn fetch<S: Simd, I: Index>(
-    simd: S,
-    records: &[Snapped],
-    triangles: &[[I; 3]; 8],
-) -> [Corner<S>; 3] {
-    let [t0, t1, t2, t3, t4, t5, t6, t7] = *triangles;
-    let low = [t0, t1, t2, t3];
-    let high = [t4, t5, t6, t7];
+fn places<const K: usize, I: Index>(triangles: &[[I; 3]; 16]) -> [usize; 16] {
+    let [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = triangles;
     [
-        corner(simd, records, low.map(first), high.map(first)),
-        corner(simd, records, low.map(second), high.map(second)),
-        corner(simd, records, low.map(third), high.map(third)),
+        a[K].to_usize(),
+        b[K].to_usize(),
+        c[K].to_usize(),
+        d[K].to_usize(),
+        e[K].to_usize(),
+        f[K].to_usize(),
+        g[K].to_usize(),
+        h[K].to_usize(),
+        i[K].to_usize(),
+        j[K].to_usize(),
+        k[K].to_usize(),
+        l[K].to_usize(),
+        m[K].to_usize(),
+        n[K].to_usize(),
+        o[K].to_usize(),
+        p[K].to_usize(),
     ]
 }
 
-#[inline(always)]
-fn first<I: Index>([index, _, _]: [I; 3]) -> usize {
-    index.to_usize()
-}
+impl Records<'_> {
+    /// The corners of sixteen triangles; `None` where an index names no vertex.
+    #[inline(always)]
+    pub(super) fn corners<S: Simd, I: Index>(
+        &self,
+        simd: S,
+        triangles: &[[I; 3]; 16],
+    ) -> Option<[Corner<S>; 3]> {
+        Some([
+            self.corner(simd, places::<0, I>(triangles))?,
+            self.corner(simd, places::<1, I>(triangles))?,
+            self.corner(simd, places::<2, I>(triangles))?,
+        ])
+    }
 
-#[inline(always)]
-fn second<I: Index>([_, index, _]: [I; 3]) -> usize {
-    index.to_usize()
-}
+    /// Their depths.
+    #[inline(always)]
+    pub(super) fn corner_depths<S: Simd, I: Index>(
+        &self,
+        simd: S,
+        triangles: &[[I; 3]; 16],
+    ) -> Option<[u32x16<S>; 3]> {
+        Some([
+            self.depths(simd, places::<0, I>(triangles))?,
+            self.depths(simd, places::<1, I>(triangles))?,
+            self.depths(simd, places::<2, I>(triangles))?,
+        ])
+    }
 
-#[inline(always)]
-fn third<I: Index>([_, _, index]: [I; 3]) -> usize {
-    index.to_usize()
-}
+    #[inline(always)]
+    fn corner<S: Simd>(&self, simd: S, at: [usize; 16]) -> Option<Corner<S>> {
+        let [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = at;
+        let (x0, y0) = self.four(simd, [a, b, c, d])?;
+        let (x1, y1) = self.four(simd, [e, f, g, h])?;
+        let (x2, y2) = self.four(simd, [i, j, k, l])?;
+        let (x3, y3) = self.four(simd, [m, n, o, p])?;
+        Some(Corner { x: join(simd, [x0, x1, x2, x3]), y: join(simd, [y0, y1, y2, y3]) })
+    }
 
-#[inline(always)]
-fn corner<S: Simd>(simd: S, records: &[Snapped], low: [usize; 4], high: [usize; 4]) -> Corner<S> {
-    let (x0, y0, z0) = four(simd, records, low);
-    let (x1, y1, z1) = four(simd, records, high);
-    Corner {
-        x: simd.combine_u32x4(x0, x1).bitcast(),
-        y: simd.combine_u32x4(y0, y1).bitcast(),
-        z: simd.combine_u32x4(z0, z1),
+    /// x and y of four vertices.
+    #[inline(always)]
+    fn four<S: Simd>(&self, simd: S, [a, b, c, d]: [usize; 4]) -> Option<(u32x4<S>, u32x4<S>)> {
+        let low: u32x4<S> = u64x2::simd_from(simd, [self.place(a)?, self.place(b)?]).bitcast();
+        let high: u32x4<S> = u64x2::simd_from(simd, [self.place(c)?, self.place(d)?]).bitcast();
+        Some((low.unzip_low(high), low.unzip_high(high)))
+    }
+
+    /// x in the lower half, y in the upper one.
+    #[inline(always)]
+    fn place(&self, at: usize) -> Option<u64> {
+        let &[x, y] = self.places.get(at)?;
+        Some(u64::from(x) | u64::from(y) << 32)
+    }
+
+    #[inline(always)]
+    fn depths<S: Simd>(&self, simd: S, at: [usize; 16]) -> Option<u32x16<S>> {
+        let [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = at;
+        let z = self.depths;
+        Some(u32x16::simd_from(
+            simd,
+            [
+                *z.get(a)?,
+                *z.get(b)?,
+                *z.get(c)?,
+                *z.get(d)?,
+                *z.get(e)?,
+                *z.get(f)?,
+                *z.get(g)?,
+                *z.get(h)?,
+                *z.get(i)?,
+                *z.get(j)?,
+                *z.get(k)?,
+                *z.get(l)?,
+                *z.get(m)?,
+                *z.get(n)?,
+                *z.get(o)?,
+                *z.get(p)?,
+            ],
+        ))
     }
 }
 
-/// x, y and z of four records.
 #[inline(always)]
-fn four<S: Simd>(simd: S, records: &[Snapped], at: [usize; 4]) -> (u32x4<S>, u32x4<S>, u32x4<S>) {
-    let [a, b, c, d] = at;
-    let (a, b) = (record(simd, records, a), record(simd, records, b));
-    let (c, d) = (record(simd, records, c), record(simd, records, d));
-    // a0 b0 a1 b1 and c0 d0 c1 d1; then pairs of them, 64 bits at a time.
-    let ab: u64x2<S> = a.zip_low(b).bitcast();
-    let cd: u64x2<S> = c.zip_low(d).bitcast();
-    let ab_high: u64x2<S> = a.zip_high(b).bitcast();
-    let cd_high: u64x2<S> = c.zip_high(d).bitcast();
-    (ab.zip_low(cd).bitcast(), ab.zip_high(cd).bitcast(), ab_high.zip_low(cd_high).bitcast())
-}
-
-#[inline(always)]
-fn record<S: Simd>(simd: S, records: &[Snapped], at: usize) -> u32x4<S> {
-    let Snapped(record) = match records.get(at) {
-        Some(record) => record,
-        None => &MISSING,
-    };
-    u32x4::simd_from(simd, *record)
+fn join<S: Simd>(simd: S, [a, b, c, d]: [u32x4<S>; 4]) -> i32x16<S> {
+    simd.combine_u32x8(simd.combine_u32x4(a, b), simd.combine_u32x4(c, d)).bitcast()
 }

@@ -7,7 +7,9 @@
 //! those of `draw` with [`ModelPositions`](crate::ModelPositions).
 
 mod attachment;
+mod blocks;
 mod cull;
+mod extent;
 mod fetch;
 mod level;
 mod ops;
@@ -16,6 +18,7 @@ mod queue;
 mod rows;
 mod setup;
 mod vertex;
+mod windows;
 
 pub use attachment::RowAttachment;
 pub use level::Level;

@@ -1,28 +1,62 @@
 //! Small lane operations. All are functions that are always inlined: a closure would not inherit the
 //! vector features of the code around it.
 
-use fearless_simd::{Simd, f32x8, f64x4, f64x8, i32x8, prelude::*, u32x8, u64x4};
+use fearless_simd::{Simd, f32x16, f64x8, i32x16, mask32x16, prelude::*, u32x16, u64x8};
 
-/// The same value in eight lanes.
+/// The same integer in sixteen lanes.
 #[inline(always)]
-pub(super) fn splat<S: Simd>(simd: S, value: i32) -> i32x8<S> {
-    i32x8::splat(simd, value)
+pub(super) fn splat<S: Simd>(simd: S, value: i32) -> i32x16<S> {
+    i32x16::splat(simd, value)
 }
+
+
+/// The least of three.
+#[inline(always)]
+pub(super) fn least<S: Simd>(a: i32x16<S>, b: i32x16<S>, c: i32x16<S>) -> i32x16<S> {
+    a.min(b).min(c)
+}
+
+/// The greatest of three.
+#[inline(always)]
+pub(super) fn greatest<S: Simd>(a: i32x16<S>, b: i32x16<S>, c: i32x16<S>) -> i32x16<S> {
+    a.max(b).max(c)
+}
+
+/// The bits of `yes` where `mask` has ones, of `no` elsewhere.
+#[inline(always)]
+pub(super) fn merge<S: Simd>(mask: u32x16<S>, yes: u32x16<S>, no: u32x16<S>) -> u32x16<S> {
+    (yes & mask) | (no & !mask)
+}
+
+/// One bit for each lane of a mask.
+#[inline(always)]
+pub(super) fn bits<S: Simd>(mask: mask32x16<S>) -> u32 {
+    mask.to_bitmask() as u32
+}
+
+/// Sixteen doubles.
+pub(super) type Doubles<S> = [f64x8<S>; 2];
 
 /// Integers below 2^24 in magnitude as doubles, exactly.
 #[inline(always)]
-pub(super) fn i32_to_f64<S: Simd>(simd: S, value: i32x8<S>) -> f64x8<S> {
-    let (low, high) = simd.widen_f32x8(f32x8::float_from(value));
-    simd.combine_f64x4(low, high)
+pub(super) fn i32_to_f64<S: Simd>(simd: S, value: i32x16<S>) -> Doubles<S> {
+    simd.widen_f32x16(f32x16::float_from(value)).into()
 }
 
 /// Unsigned integers as doubles, exactly: as the low bits of 2^52 + value.
 #[inline(always)]
-pub(super) fn u32_to_f64<S: Simd>(simd: S, value: u32x8<S>) -> f64x8<S> {
-    let (low, high) = simd.widen_u32x8(value);
+pub(super) fn u32_to_f64<S: Simd>(simd: S, value: u32x16<S>) -> Doubles<S> {
+    let (low, high) = simd.widen_u32x16(value);
     let magic = 4_503_599_627_370_496.0_f64;
-    let bits = u64x4::splat(simd, magic.to_bits());
-    let low: f64x4<S> = (low | bits).bitcast();
-    let high: f64x4<S> = (high | bits).bitcast();
-    simd.combine_f64x4(low, high) - f64x8::splat(simd, magic)
+    let bits = u64x8::splat(simd, magic.to_bits());
+    let (low, high): (f64x8<S>, f64x8<S>) = ((low | bits).bitcast(), (high | bits).bitcast());
+    let magic = f64x8::splat(simd, magic);
+    [low - magic, high - magic]
+}
+
+/// Signed integers as 64 bits, in two's complement.
+#[inline(always)]
+pub(super) fn sign_extend<S: Simd>(simd: S, value: i32x16<S>) -> [u64x8<S>; 2] {
+    let (low, high) = simd.widen_i32x16(value);
+    [low.bitcast(), high.bitcast()]
 }

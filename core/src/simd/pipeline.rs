@@ -2,12 +2,16 @@
 
 use super::{
     attachment::RowAttachment,
-    cull::Culling,
+    blocks::{draw_medium, draw_small},
+    cull::{Culling, Verdict, padded},
+    fetch::Records,
     level::Level,
+    ops::bits,
     queue::Queue,
-    rows::{Solved, draw_any, draw_small},
+    rows::{Solved, draw_double, draw_single},
     setup::{Batch, DepthSetup, set_up},
-    vertex::{Snapped, stage},
+    vertex::{Snapped, split, stage},
+    windows::Windows,
 };
 use crate::{
     attachments::{D16, D32, DepthFormat},
@@ -16,7 +20,7 @@ use crate::{
     numbers::Standard,
     transform::ModelPositions,
 };
-use fearless_simd::{Simd, dispatch};
+use fearless_simd::{Simd, dispatch, mask32x16, prelude::*, u32x16};
 
 /// A triangle list whose indices have been checked, once for many draws.
 #[derive(Clone, Copy, Debug)]
@@ -72,9 +76,15 @@ pub fn draw<I: Index, A: RowAttachment>(
     };
     let mut statistics = Statistics { submitted, ..Statistics::default() };
     dispatch!(level, simd => {
-        stage(simd, positions, records);
-        let drawing = Drawing { simd, positions, records, area, state };
-        drawing.run(triangles, first_id, attachments, &mut statistics);
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                let (places, depths) = split(records);
+                stage(simd, positions, places, depths);
+                let drawing = Drawing { simd, positions, records: Records { places, depths }, area, state };
+                drawing.run(triangles, first_id, attachments, &mut statistics);
+            },
+        );
     });
     Ok(statistics)
 }
@@ -84,9 +94,18 @@ pub fn draw<I: Index, A: RowAttachment>(
 struct Drawing<'a, S> {
     simd: S,
     positions: &'a ModelPositions<'a, Standard>,
-    records: &'a [Snapped],
+    records: Records<'a>,
     area: Region<Standard>,
     state: &'a State<Standard>,
+}
+
+/// Scratch memory of a draw: survivors by how they are drawn, and what is set up of them.
+struct Scratch {
+    small: Queue,
+    medium: Queue,
+    others: Queue,
+    batch: Batch,
+    windows: Windows,
 }
 
 impl<S: Simd> Drawing<'_, S> {
@@ -99,55 +118,185 @@ impl<S: Simd> Drawing<'_, S> {
         statistics: &mut Statistics,
     ) {
         let culling = Culling::new(self.simd, self.area, self.state);
-        let mut queue = Queue::EMPTY;
-        let mut batch = Batch::EMPTY;
+        let none = Queue::EMPTY;
+        let mut scratch =
+            Scratch { small: none, medium: none, others: none, batch: Batch::EMPTY, windows: Windows::EMPTY };
+        let numbers = u32x16::simd_from(self.simd, [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15]);
+        let list = List { triangles, first_id };
+        let mut last;
         let mut done = 0;
-        while done < triangles.len() {
-            done += culling.fill(self.records, triangles, done, first_id, &mut queue, statistics);
-            self.draw_queue(&queue, &mut batch, attachments, statistics);
-            queue.clear();
+        while let Some(rest) = triangles.get(done..).filter(|rest| !rest.is_empty()) {
+            let (sixteen, present) = match rest.first_chunk::<16>() {
+                Some(sixteen) => (sixteen, 0xFFFF),
+                None => {
+                    last = padded(rest);
+                    (&last, (1 << rest.len()) - 1)
+                }
+            };
+            let verdict = culling.sixteen(self.records, sixteen, present);
+            let culled = &mut statistics.culled;
+            culled.outside += verdict.outside.count_ones();
+            culled.zero_area += verdict.zero_area.count_ones();
+            culled.facing += verdict.facing.count_ones();
+            culled.no_sample += verdict.no_sample.count_ones();
+            let numbers = numbers + u32x16::splat(self.simd, done as u32);
+            if A::ORDERED {
+                self.in_order(&verdict, numbers, done as u32, list, &mut scratch, attachments, statistics);
+            } else {
+                scratch.small.push(numbers, verdict.small);
+                scratch.medium.push(numbers, verdict.medium);
+                scratch.others.push(numbers, verdict.fast & !verdict.small & !verdict.medium);
+                let Scratch { small, medium, others, batch, windows } = &mut scratch;
+                for queue in [small, medium, others] {
+                    if !queue.has_room() {
+                        self.draw_full(queue, list, batch, windows, attachments, statistics);
+                    }
+                }
+                let mut slow = verdict.slow;
+                while slow != 0 {
+                    self.one(list, done as u32 + slow.trailing_zeros(), attachments, statistics);
+                    slow &= slow - 1;
+                }
+            }
+            done += rest.len().min(16);
+        }
+        let Scratch { small, medium, others, batch, windows } = &mut scratch;
+        for queue in [small, medium, others] {
+            self.draw_all(queue, list, batch, windows, attachments, statistics);
         }
     }
 
-    /// Draws the queued triangles in order.
+    /// Queues the survivors of sixteen triangles for drawing in submitted order.
     #[inline(always)]
-    fn draw_queue<A: RowAttachment>(
+    fn in_order<I: Index, A: RowAttachment>(
         &self,
-        queue: &Queue,
-        batch: &mut Batch,
+        verdict: &Verdict<S>,
+        numbers: u32x16<S>,
+        first: u32,
+        list: List<'_, I>,
+        scratch: &mut Scratch,
         attachments: &mut A,
         statistics: &mut Statistics,
     ) {
-        let sample = self.state.sample.of_pixel(0, 0);
-        let mut at = 0;
-        while at < queue.len() {
-            let (eight, ids, count) = queue.run(at);
-            if count == 0 {
-                let (triangle, id) = queue.slow(at);
-                self.one(triangle, id, attachments, statistics);
-                at += 1;
-                continue;
-            }
-            set_up(self.simd, self.records, eight, self.area, self.state, A::DEPTH, batch);
-            for (lane, &id) in ids.iter().take(count).enumerate() {
-                let solved = Solved::from_batch(batch, lane, sample);
-                let drawn = draw_small(self.simd, &solved, self.area, id, attachments);
-                statistics.drawn += u32::from(drawn);
-                statistics.culled.no_sample += u32::from(!drawn);
-            }
-            at += count;
+        let Scratch { others, batch, windows, .. } = scratch;
+        let mut fast = bits(verdict.fast);
+        let mut slow = verdict.slow;
+        while slow != 0 {
+            let lane = slow.trailing_zeros();
+            slow &= slow - 1;
+            let before = fast & ((1 << lane) - 1);
+            others.push(numbers, mask32x16::from_bitmask(self.simd, u64::from(before)));
+            fast &= !before;
+            self.draw_all(others, list, batch, windows, attachments, statistics);
+            self.one(list, first + lane, attachments, statistics);
         }
+        others.push(numbers, mask32x16::from_bitmask(self.simd, u64::from(fast)));
+        if !others.has_room() {
+            self.draw_full(others, list, batch, windows, attachments, statistics);
+        }
+    }
+
+    /// Draws the queued triangles in order, all but fewer than sixteen.
+    #[inline(always)]
+    fn draw_full<I: Index, A: RowAttachment>(
+        &self,
+        queue: &mut Queue,
+        list: List<'_, I>,
+        batch: &mut Batch,
+        windows: &mut Windows,
+        attachments: &mut A,
+        statistics: &mut Statistics,
+    ) {
+        let full = queue.len() & !15;
+        self.draw_first(queue, full, list, batch, windows, attachments, statistics);
+        queue.forget(full);
+    }
+
+    /// Draws all queued triangles in order.
+    #[inline(always)]
+    fn draw_all<I: Index, A: RowAttachment>(
+        &self,
+        queue: &mut Queue,
+        list: List<'_, I>,
+        batch: &mut Batch,
+        windows: &mut Windows,
+        attachments: &mut A,
+        statistics: &mut Statistics,
+    ) {
+        let count = queue.len();
+        self.draw_first(queue, count, list, batch, windows, attachments, statistics);
+        queue.forget(count);
+    }
+
+    #[inline(never)]
+    fn draw_first<I: Index, A: RowAttachment>(
+        &self,
+        queue: &Queue,
+        count: usize,
+        list: List<'_, I>,
+        batch: &mut Batch,
+        windows: &mut Windows,
+        attachments: &mut A,
+        statistics: &mut Statistics,
+    ) {
+        self.simd.vectorize(
+            #[inline(always)]
+            || {
+                for at in (0..count).step_by(16) {
+                    self.draw_batch(queue.batch(at), list, batch, windows, attachments, statistics);
+                }
+            },
+        );
+    }
+
+    /// Sets up sixteen triangles and draws them.
+    #[inline(always)]
+    fn draw_batch<I: Index, A: RowAttachment>(
+        &self,
+        (numbers, count): (&[u32; 16], usize),
+        list: List<'_, I>,
+        batch: &mut Batch,
+        windows: &mut Windows,
+        attachments: &mut A,
+        statistics: &mut Statistics,
+    ) {
+        let present = 0xFFFF >> (16 - count.min(16));
+        let triangles = list.sixteen(numbers);
+        let known = set_up(self.simd, self.records, &triangles, self.area, self.state, A::DEPTH, batch);
+        // Indices were checked before.
+        let Some(()) = known else { return };
+        let sampled = windows.fill(self.simd, batch, present);
+        let (small, medium) = (batch.small, batch.medium);
+        let mut left = present & (sampled | !(small | medium));
+        let mut drawn = left.count_ones();
+        while left != 0 {
+            let lane = left.trailing_zeros() as usize;
+            left &= left - 1;
+            let id = list.first_id.wrapping_add(numbers[lane & 15]);
+            if small >> lane & 1 != 0 {
+                draw_small(self.simd, batch, windows, lane, id, attachments);
+            } else if medium >> lane & 1 != 0 {
+                draw_medium(self.simd, batch, windows, lane, id, attachments);
+            } else {
+                let solved = Solved::from_batch(batch, lane);
+                drawn -= u32::from(!draw_single(self.simd, &solved, self.area, id, attachments));
+            }
+        }
+        statistics.drawn += drawn;
+        statistics.culled.no_sample += count as u32 - drawn;
     }
 
     /// Draws one triangle by way of the scalar clip and set-up.
     #[inline(never)]
-    fn one<A: RowAttachment>(
+    fn one<I: Index, A: RowAttachment>(
         &self,
-        corners: [u32; 3],
-        id: u32,
+        list: List<'_, I>,
+        number: u32,
         attachments: &mut A,
         statistics: &mut Statistics,
     ) {
+        let Some(corners) = list.triangles.get(number as usize) else { return };
+        let id = list.first_id.wrapping_add(number);
         let mut outcome = None;
         let assembly = self.positions.assemble(corners.map(Index::to_usize), |vertices| {
             let piece = self.piece(vertices, id, attachments);
@@ -171,7 +320,31 @@ impl<S: Simd> Drawing<'_, S> {
             DepthSetup::D32 => Some(<D32 as DepthFormat<Standard>>::vertex),
             DepthSetup::D16 => Some(<D16 as DepthFormat<Standard>>::vertex),
         };
-        let solved = Solved::from_triangle(&triangle, bounds, vertex);
-        if draw_any(self.simd, &solved, self.area, id, attachments) { Ok(()) } else { Err(Culled::NoSample) }
+        let solved = Solved::from_triangle(&triangle, bounds, A::DEPTH, vertex);
+        let drawn = self.simd.vectorize(
+            #[inline(always)]
+            || draw_double(self.simd, &solved, self.area, id, attachments),
+        );
+        if drawn { Ok(()) } else { Err(Culled::NoSample) }
+    }
+}
+
+/// Triangles and their ids.
+#[derive(Clone, Copy)]
+struct List<'a, I> {
+    triangles: &'a [[I; 3]],
+    first_id: u32,
+}
+
+impl<I: Index> List<'_, I> {
+    #[inline(always)]
+    fn sixteen(&self, numbers: &[u32; 16]) -> [[I; 3]; 16] {
+        let mut sixteen = [[I::ZERO; 3]; 16];
+        for (to, &number) in sixteen.iter_mut().zip(numbers) {
+            if let Some(triangle) = self.triangles.get(number as usize) {
+                *to = *triangle;
+            }
+        }
+        sixteen
     }
 }

@@ -1,72 +1,59 @@
 //! Survivors of culling on their way to set-up.
 
-/// How many triangles are collected before they are drawn.
-const CAPACITY: usize = 64;
+use super::ops::bits;
+use fearless_simd::{Simd, mask32x16, prelude::*, u32x16};
 
-/// Triangles in submitted order, with their ids; some are left to the scalar path.
+/// How many triangles are collected before they are drawn.
+const CAPACITY: usize = 240;
+
+/// Numbers of triangles, in submitted order.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Queue {
-    /// Corners; eight more places than are used, for reading eight at a time.
-    corners: [[u32; 3]; CAPACITY + 8],
-    ids: [u32; CAPACITY + 8],
-    /// One bit for each triangle that is left to the scalar path.
-    slow: u64,
+    /// Sixteen more places than are used, for writing and reading sixteen at a time.
+    numbers: [u32; CAPACITY + 16],
     len: usize,
 }
 
 impl Queue {
-    pub(super) const EMPTY: Self =
-        Self { corners: [[0; 3]; CAPACITY + 8], ids: [0; CAPACITY + 8], slow: 0, len: 0 };
-
-    #[inline(always)]
-    pub(super) const fn clear(&mut self) {
-        self.slow = 0;
-        self.len = 0;
-    }
+    pub(super) const EMPTY: Self = Self { numbers: [0; CAPACITY + 16], len: 0 };
 
     #[inline(always)]
     pub(super) const fn len(&self) -> usize {
         self.len
     }
 
-    /// Whether eight more triangles fit.
+    /// Whether sixteen more triangles fit.
     #[inline(always)]
     pub(super) const fn has_room(&self) -> bool {
-        self.len + 8 <= CAPACITY
+        self.len + 16 <= CAPACITY
     }
 
-    /// Adds a triangle; there is room.
+    /// Adds the numbers in the lanes of the mask; there is room.
     #[inline(always)]
-    pub(super) fn push(&mut self, corners: [u32; 3], id: u32, slow: bool) {
-        if let (Some(to), Some(to_id)) = (self.corners.get_mut(self.len), self.ids.get_mut(self.len)) {
-            *to = corners;
-            *to_id = id;
-            self.slow |= u64::from(slow) << (self.len & 63);
-            self.len += 1;
+    pub(super) fn push<S: Simd>(&mut self, numbers: u32x16<S>, mask: mask32x16<S>) {
+        if let Some(to) = self.numbers.get_mut(self.len..).and_then(<[u32]>::first_chunk_mut::<16>) {
+            numbers.compress(mask).store_slice(to);
+            self.len += bits(mask).count_ones() as usize;
         }
     }
 
-    /// The corners and ids of eight triangles from place `at` on, and how many of them are there and
-    /// belong to the fast path.
+    /// The sixteen numbers from place `at` on, and how many of them are there.
     #[inline(always)]
-    pub(super) fn run(&self, at: usize) -> (&[[u32; 3]; 8], &[u32; 8], usize) {
-        let fast = (self.slow >> (at & 63)).trailing_zeros() as usize;
-        let count = fast.min(8).min(self.len.saturating_sub(at));
-        match (
-            self.corners.get(at..).and_then(<[_]>::first_chunk),
-            self.ids.get(at..).and_then(<[_]>::first_chunk),
-        ) {
-            (Some(corners), Some(ids)) => (corners, ids, count),
-            _ => (&[[0; 3]; 8], &[0; 8], 0),
+    pub(super) fn batch(&self, at: usize) -> (&[u32; 16], usize) {
+        match self.numbers.get(at..).and_then(<[u32]>::first_chunk) {
+            Some(numbers) => (numbers, self.len.saturating_sub(at).min(16)),
+            None => (&[0; 16], 0),
         }
     }
 
-    /// The corners and id of the triangle at a place.
+    /// Forgets the first `count` triangles, all but fewer than sixteen.
     #[inline(always)]
-    pub(super) fn slow(&self, at: usize) -> ([u32; 3], u32) {
-        match (self.corners.get(at), self.ids.get(at)) {
-            (Some(&corners), Some(&id)) => (corners, id),
-            _ => ([u32::MAX; 3], 0),
+    pub(super) fn forget(&mut self, count: usize) {
+        let (rest, left) = self.batch(count);
+        let rest = *rest;
+        if let Some(to) = self.numbers.first_chunk_mut() {
+            *to = rest;
         }
+        self.len = left;
     }
 }

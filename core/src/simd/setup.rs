@@ -1,4 +1,4 @@
-//! Set-up of eight triangles of small extent: 32-bit integers, and doubles that are exact.
+//! Set-up of sixteen triangles of small extent: 32-bit integers, and doubles that are exact.
 //!
 //! With an extent below [`SMALL_EXTENT`], bounds rounded out to whole blocks span less than 2^15 steps, so
 //! edge values are sums of two products below 2^30, and reduced ones have 23 bits: F = e + 1/2 is an exact
@@ -8,19 +8,16 @@
 //! integers is exact.
 
 use super::{
-    fetch::{Corner, fetch},
-    ops::{i32_to_f64, splat, u32_to_f64},
-    vertex::Snapped,
+    extent::{Extent, SMALL_EXTENT},
+    fetch::{Corner, Records},
+    ops::{Doubles, bits, greatest, i32_to_f64, least, sign_extend, splat, u32_to_f64},
 };
 use crate::{
-    draw::State,
+    draw::{Index, State},
     geometry::Region,
     numbers::{DEPTH16_MAX, DEPTH16_MIN, Standard},
 };
-use fearless_simd::{Simd, f32x8, f64x8, i32x8, mask32x8, prelude::*, u32x8};
-
-/// Extents of triangles set up here are below this, in steps: 120 pixels.
-pub(super) const SMALL_EXTENT: i32 = 120 << 8;
+use fearless_simd::{Simd, f32x16, f64x8, i32x16, mask32x16, prelude::*, u32x16, u64x8};
 
 /// Bounds rounded out to whole blocks: up to 3 pixels at each end.
 const MAX_SPAN: i32 = SMALL_EXTENT / 256 + 2 * 4;
@@ -30,45 +27,60 @@ const _: () = assert!(2 * (SMALL_EXTENT as i64) * (128 << 8) < 1 << 31);
 // 128 * 2^-23 (1 + 2^-24) < 1 / (2 |A|), with A < SMALL_EXTENT.
 const _: () = assert!(128 * 2 * (SMALL_EXTENT as i64) * ((1 << 24) + 1) < 1 << 47);
 
-/// The crossings of an edge with the rows of samples, for eight triangles.
+/// The crossings of an edge with the rows of samples, for one or more triangles.
 ///
 /// With F = e + 1/2 the reduced edge value at a row's first sample plus a half that keeps it from being
 /// 0, the edge crosses the row at x = -F / A pixels from there, and a sample is inside iff it is to the
 /// right (A > 0), or to the left (A < 0), of that. B is what F grows by from row to row.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Crossing {
+pub(super) struct Crossing<T> {
     /// F in the first row.
-    pub(super) value: [f32; 8],
+    pub(super) value: T,
     /// B.
-    pub(super) step: [f32; 8],
+    pub(super) step: T,
     /// -1 / A, rounded; -∞ where A is 0.
-    pub(super) factor: [f32; 8],
+    pub(super) factor: T,
 }
 
-/// Eight triangles, set up.
+/// The edges of one or more triangles, in the order that [`place_edges`] gives them. The origin is the
+/// first sample of the block that holds the first pixel of the bounds.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Crossings<T> {
+    /// A left edge (A > 0), a right one (A < 0), and the third, which is either.
+    pub(super) edges: [Crossing<T>; 3],
+    /// +∞ where the third edge is a left one or level (A >= 0), else -∞.
+    pub(super) third: T,
+    /// The first pixel inside the bounds, and the one after the last, from the origin.
+    pub(super) first: T,
+    pub(super) end: T,
+}
+
+/// Sixteen triangles, set up.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Batch {
-    /// A left edge (A > 0), a right one (A < 0), and the third, which is either.
-    pub(super) crossings: [Crossing; 3],
-    /// +∞ where the third edge is a left one or level (A >= 0), else -∞.
-    pub(super) third: [f32; 8],
+    pub(super) crossings: Crossings<[f32; 16]>,
     /// x0, x1, y0, y1 of the pixels with samples inside the bounds and the region.
-    pub(super) bounds: [[i32; 8]; 4],
-    /// The depth plane's anchor: x and y in steps, and the depth.
-    pub(super) anchor: [[u32; 8]; 3],
-    /// The gradients of depth per step to the right and per step down: 32.32 fixed point modulo 2^64.
-    pub(super) gradients: [[u64; 8]; 2],
+    pub(super) bounds: [[i32; 16]; 4],
+    /// The depth plane's value at the origin, rounding included: 32.32 fixed point modulo 2^64.
+    pub(super) origin: [u64; 16],
+    /// What depth grows by from pixel to pixel, to the right and down.
+    pub(super) gradients: [[u64; 16]; 2],
+    /// One bit for each small triangle, for each medium one.
+    pub(super) small: u32,
+    pub(super) medium: u32,
 }
 
 impl Batch {
     pub(super) const EMPTY: Self = {
-        let none = Crossing { value: [0.0; 8], step: [0.0; 8], factor: [0.0; 8] };
+        let none = Crossing { value: [0.0; 16], step: [0.0; 16], factor: [0.0; 16] };
+        let (third, first, end) = ([0.0; 16], [0.0; 16], [0.0; 16]);
         Self {
-            crossings: [none; 3],
-            third: [0.0; 8],
-            bounds: [[0; 8]; 4],
-            anchor: [[0; 8]; 3],
-            gradients: [[0; 8]; 2],
+            crossings: Crossings { edges: [none; 3], third, first, end },
+            bounds: [[0; 16]; 4],
+            origin: [0; 16],
+            gradients: [[0; 16]; 2],
+            small: 0,
+            medium: 0,
         }
     };
 }
@@ -84,115 +96,120 @@ pub enum DepthSetup {
     D16,
 }
 
-/// Sets up eight triangles of small extent and some area.
-#[inline(always)]
-pub(super) fn set_up<S: Simd>(
+impl DepthSetup {
+    /// Half a unit, which makes rounding down rounding to nearest.
+    pub(super) const fn half(self) -> u64 {
+        match self {
+            Self::D16 => 1 << 47,
+            _ => 1 << 31,
+        }
+    }
+}
+
+/// Sets up sixteen triangles of small extent and some area; `None` where an index names no vertex.
+#[inline(never)]
+pub(super) fn set_up<S: Simd, I: Index>(
     simd: S,
-    records: &[Snapped],
-    triangles: &[[u32; 3]; 8],
+    records: Records<'_>,
+    triangles: &[[I; 3]; 16],
     region: Region<Standard>,
     state: &State<Standard>,
     depth: DepthSetup,
     batch: &mut Batch,
-) {
+) -> Option<()> {
     simd.vectorize(
         #[inline(always)]
-        || set_up_eight(simd, records, triangles, region, state, depth, batch),
-    );
+        || set_up_inline(simd, records, triangles, region, state, depth, batch),
+    )
 }
 
 #[inline(always)]
-fn set_up_eight<S: Simd>(
+fn set_up_inline<S: Simd, I: Index>(
     simd: S,
-    records: &[Snapped],
-    triangles: &[[u32; 3]; 8],
+    records: Records<'_>,
+    triangles: &[[I; 3]; 16],
     region: Region<Standard>,
     state: &State<Standard>,
     depth: DepthSetup,
     batch: &mut Batch,
-) {
-    let [a, b, c] = fetch(simd, records, triangles);
-    let (sample_x, sample_y) = state.sample.of_pixel(0, 0);
-    // Bounds: as `Triangle::bounds`.
-    let up = splat(simd, 255 - sample_x);
-    let x0 = ((a.x.min(b.x).min(c.x) + up) >> 8).max(splat(simd, region.x0() as i32));
-    let x1 = ((a.x.max(b.x).max(c.x) + up) >> 8).min(splat(simd, region.x1() as i32));
-    let up = splat(simd, 255 - sample_y);
-    let y0 = ((a.y.min(b.y).min(c.y) + up) >> 8).max(splat(simd, region.y0() as i32));
-    let y1 = ((a.y.max(b.y).max(c.y) + up) >> 8).min(splat(simd, region.y1() as i32));
-    let [out_x0, out_x1, out_y0, out_y1] = &mut batch.bounds;
-    x0.store_slice(out_x0);
-    x1.store_slice(out_x1);
-    y0.store_slice(out_y0);
-    y1.store_slice(out_y1);
+) -> Option<()> {
+    let [a, b, c] = records.corners(simd, triangles)?;
+    let extremes =
+        [least(a.x, b.x, c.x), greatest(a.x, b.x, c.x), least(a.y, b.y, c.y), greatest(a.y, b.y, c.y)];
+    let bounds = Extent::new(simd, region, state).bounds(extremes);
+    let [x0, x1, y0, _] = bounds.inside;
+    for (bound, out) in bounds.inside.into_iter().zip(&mut batch.bounds) {
+        bound.store_slice(out);
+    }
 
     // Clockwise, by an exchange of the last two corners.
     let area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
     let turned = area.simd_lt(splat(simd, 0));
     let (b, c) = (Corner::select(turned, c, b), Corner::select(turned, b, c));
     // The first sample of the first block.
-    let first_x = ((x0 & splat(simd, !3)) << 8) + splat(simd, sample_x);
-    let first_y = ((y0 & splat(simd, !3)) << 8) + splat(simd, sample_y);
+    let (sample_x, sample_y) = state.sample.of_pixel(0, 0);
+    let (column, row) = (x0 & splat(simd, !3), y0 & splat(simd, !3));
+    let origin_x = (column << 8) + splat(simd, sample_x);
+    let origin_y = (row << 8) + splat(simd, sample_y);
     let edges = [
-        Edge::new(simd, b, c, first_x, first_y),
-        Edge::new(simd, c, a, first_x, first_y),
-        Edge::new(simd, a, b, first_x, first_y),
+        Edge::new(simd, b, c, origin_x, origin_y),
+        Edge::new(simd, c, a, origin_x, origin_y),
+        Edge::new(simd, a, b, origin_x, origin_y),
     ];
-    place_edges(simd, edges, batch);
-    if depth == DepthSetup::None {
-        return;
+    let crossings = place_edges(simd, edges, f32x16::float_from(x0 - column), f32x16::float_from(x1 - column));
+    store(&crossings, &mut batch.crossings);
+    if depth != DepthSetup::None {
+        let [az, bz, cz] = records.corner_depths(simd, triangles)?;
+        let (az, bz, cz) = if depth == DepthSetup::D16 {
+            (unorm16(simd, az), unorm16(simd, bz), unorm16(simd, cz))
+        } else {
+            (az, bz, cz)
+        };
+        let (bz, cz) = (turned.select(cz, bz), turned.select(bz, cz));
+        let plane = Plane::new(simd, [a, b, c], [az, bz, cz], area);
+        plane.store(simd, origin_x, origin_y, depth, batch);
     }
-    let (az, bz, cz) = if depth == DepthSetup::D16 {
-        (unorm16(simd, a.z), unorm16(simd, b.z), unorm16(simd, c.z))
-    } else {
-        (a.z, b.z, c.z)
-    };
-    // The anchor is the topmost, then leftmost corner: as `Triangle::new`.
-    let first = b.y.simd_lt(a.y) | (b.y.simd_eq(a.y) & b.x.simd_lt(a.x));
-    let (x, y, z) = (first.select(b.x, a.x), first.select(b.y, a.y), first.select(bz, az));
-    let first = c.y.simd_lt(y) | (c.y.simd_eq(y) & c.x.simd_lt(x));
-    let (x, y, z) = (first.select(c.x, x), first.select(c.y, y), first.select(cz, z));
-    let [out_x, out_y, out_z] = &mut batch.anchor;
-    x.bitcast::<u32x8<S>>().store_slice(out_x);
-    y.bitcast::<u32x8<S>>().store_slice(out_y);
-    z.store_slice(out_z);
-
-    let (za, zb, zc) = (u32_to_f64(simd, az), u32_to_f64(simd, bz), u32_to_f64(simd, cz));
-    let (dz1, dz2) = (zb - za, zc - za);
-    let (dx1, dy1) = (i32_to_f64(simd, b.x - a.x), i32_to_f64(simd, b.y - a.y));
-    let (dx2, dy2) = (i32_to_f64(simd, c.x - a.x), i32_to_f64(simd, c.y - a.y));
-    let magnitude = area.max(splat(simd, 0) - area);
-    let area = u32_to_f64(simd, magnitude.bitcast());
-    let inverse = f64x8::splat(simd, 1.0) / area;
-    let [out_x, out_y] = &mut batch.gradients;
-    gradient(simd, dz1 * dy2 - dz2 * dy1, area, inverse, out_x);
-    gradient(simd, dz2 * dx1 - dz1 * dx2, area, inverse, out_y);
+    batch.small = bits(bounds.small());
+    batch.medium = bits(bounds.medium()) & !batch.small;
+    Some(())
 }
 
-/// One edge of eight triangles.
+#[inline(always)]
+fn store<S: Simd>(from: &Crossings<f32x16<S>>, to: &mut Crossings<[f32; 16]>) {
+    for (edge, out) in from.edges.into_iter().zip(&mut to.edges) {
+        edge.value.store_slice(&mut out.value);
+        edge.step.store_slice(&mut out.step);
+        edge.factor.store_slice(&mut out.factor);
+    }
+    from.third.store_slice(&mut to.third);
+    from.first.store_slice(&mut to.first);
+    from.end.store_slice(&mut to.end);
+}
+
+/// One edge of sixteen triangles.
 #[derive(Clone, Copy)]
 struct Edge<S: Simd> {
     /// The reduced edge value at the first sample.
-    value: i32x8<S>,
-    a: i32x8<S>,
-    b: i32x8<S>,
+    value: i32x16<S>,
+    a: i32x16<S>,
+    b: i32x16<S>,
 }
 
 impl<S: Simd> Edge<S> {
     /// A, B, and e at the sample (`x`, `y`).
     #[inline(always)]
-    fn new(simd: S, start: Corner<S>, end: Corner<S>, x: i32x8<S>, y: i32x8<S>) -> Self {
+    fn new(simd: S, start: Corner<S>, end: Corner<S>, x: i32x16<S>, y: i32x16<S>) -> Self {
         let (a, b) = (start.y - end.y, end.x - start.x);
         let zero = splat(simd, 0);
         let value = a * (x - start.x) + b * (y - start.y);
-        // A mask is -1 where it is set: subtract 1 but for top and left edges.
+        // Subtract 1 but for top and left edges.
         let inner = a.simd_gt(zero) | (a.simd_eq(zero) & b.simd_gt(zero));
         let bias = inner.select(zero, splat(simd, 1));
         Self { value: (value - bias) >> 8, a, b }
     }
 
     #[inline(always)]
-    fn select(mask: mask32x8<S>, yes: Self, no: Self) -> Self {
+    fn select(mask: mask32x16<S>, yes: Self, no: Self) -> Self {
         Self {
             value: mask.select(yes.value, no.value),
             a: mask.select(yes.a, no.a),
@@ -211,63 +228,141 @@ impl<S: Simd> Edge<S> {
     }
 
     #[inline(always)]
-    fn store(self, simd: S, out: &mut Crossing) {
-        (f32x8::float_from(self.value) + f32x8::splat(simd, 0.5)).store_slice(&mut out.value);
-        f32x8::float_from(self.b).store_slice(&mut out.step);
-        (f32x8::splat(simd, -1.0) / f32x8::float_from(self.a)).store_slice(&mut out.factor);
+    fn crossing(self, simd: S) -> Crossing<f32x16<S>> {
+        Crossing {
+            value: f32x16::float_from(self.value) + f32x16::splat(simd, 0.5),
+            step: f32x16::float_from(self.b),
+            // -1 / +0 is -∞.
+            factor: f32x16::splat(simd, -1.0) / f32x16::float_from(self.a),
+        }
     }
 }
 
 /// Orders the edges: a left one, a right one, the third. A triangle with an area has both.
 #[inline(always)]
-fn place_edges<S: Simd>(simd: S, [e0, e1, e2]: [Edge<S>; 3], batch: &mut Batch) {
+fn place_edges<S: Simd>(
+    simd: S,
+    [e0, e1, e2]: [Edge<S>; 3],
+    first: f32x16<S>,
+    end: f32x16<S>,
+) -> Crossings<f32x16<S>> {
     let zero = splat(simd, 0);
     let left = Edge::select(e0.a.simd_gt(zero), e0, Edge::select(e1.a.simd_gt(zero), e1, e2));
     let right = Edge::select(e0.a.simd_lt(zero), e0, Edge::select(e1.a.simd_lt(zero), e1, e2));
     let third = e0.plus(e1).plus(e2).minus(left).minus(right);
-    let [out_left, out_right, out_third] = &mut batch.crossings;
-    left.store(simd, out_left);
-    right.store(simd, out_right);
-    // -1 / +0 is -∞.
-    third.store(simd, out_third);
-    let (above, below) = (f32x8::splat(simd, f32::INFINITY), f32x8::splat(simd, f32::NEG_INFINITY));
-    third.a.simd_ge(zero).select(above, below).store_slice(&mut batch.third);
+    let (above, below) = (f32x16::splat(simd, f32::INFINITY), f32x16::splat(simd, f32::NEG_INFINITY));
+    Crossings {
+        edges: [left.crossing(simd), right.crossing(simd), third.crossing(simd)],
+        third: third.a.simd_ge(zero).select(above, below),
+        first,
+        end,
+    }
+}
+
+/// The depth planes of sixteen triangles.
+#[derive(Clone, Copy)]
+struct Plane<S: Simd> {
+    anchor: Corner<S>,
+    depth: u32x16<S>,
+    /// Gradients per step to the right and per step down: 32.32 fixed point modulo 2^64.
+    x: [u64x8<S>; 2],
+    y: [u64x8<S>; 2],
+}
+
+impl<S: Simd> Plane<S> {
+    /// Through three corners, clockwise; `area` is the doubled area before they were made so.
+    #[inline(always)]
+    fn new(
+        simd: S,
+        [a, b, c]: [Corner<S>; 3],
+        [az, bz, cz]: [u32x16<S>; 3],
+        area: i32x16<S>,
+    ) -> Self {
+        // The anchor is the topmost, then leftmost corner: as `Triangle::new`.
+        let before = b.y.simd_lt(a.y) | (b.y.simd_eq(a.y) & b.x.simd_lt(a.x));
+        let (anchor, depth) = (Corner::select(before, b, a), before.select(bz, az));
+        let before = c.y.simd_lt(anchor.y) | (c.y.simd_eq(anchor.y) & c.x.simd_lt(anchor.x));
+        let (anchor, depth) = (Corner::select(before, c, anchor), before.select(cz, depth));
+
+        let [za, zb, zc] = [u32_to_f64(simd, az), u32_to_f64(simd, bz), u32_to_f64(simd, cz)];
+        let [dx1, dy1] = [i32_to_f64(simd, b.x - a.x), i32_to_f64(simd, b.y - a.y)];
+        let [dx2, dy2] = [i32_to_f64(simd, c.x - a.x), i32_to_f64(simd, c.y - a.y)];
+        let area = u32_to_f64(simd, area.max(splat(simd, 0) - area).bitcast());
+        let (x0, y0) = gradients(simd, half(0, [za, zb, zc, dx1, dy1, dx2, dy2, area]));
+        let (x1, y1) = gradients(simd, half(1, [za, zb, zc, dx1, dy1, dx2, dy2, area]));
+        Self { anchor, depth, x: [x0, x1], y: [y0, y1] }
+    }
+
+    /// The value at the origin, and what pixels add.
+    #[inline(always)]
+    fn store(&self, simd: S, x: i32x16<S>, y: i32x16<S>, depth: DepthSetup, batch: &mut Batch) {
+        let (low, high) = simd.widen_u32x16(self.depth);
+        let (dx, dy) = (sign_extend(simd, x - self.anchor.x), sign_extend(simd, y - self.anchor.y));
+        let halves = [low, high].into_iter().zip(dx.into_iter().zip(dy)).zip(self.x.into_iter().zip(self.y));
+        let [out_x, out_y] = &mut batch.gradients;
+        let out = batch.origin.as_chunks_mut::<8>().0.iter_mut();
+        let out = out.zip(out_x.as_chunks_mut::<8>().0.iter_mut().zip(out_y.as_chunks_mut::<8>().0));
+        for (((anchor, (dx, dy)), (gx, gy)), (origin, (out_x, out_y))) in halves.zip(out) {
+            let value = (anchor << 32) + u64x8::splat(simd, depth.half()) + gx * dx + gy * dy;
+            value.store_slice(origin);
+            (gx << 8).store_slice(out_x);
+            (gy << 8).store_slice(out_y);
+        }
+    }
+}
+
+/// One half of each.
+#[inline(always)]
+fn half<S: Simd>(k: usize, all: [Doubles<S>; 8]) -> [f64x8<S>; 8] {
+    let [a, b, c, d, e, f, g, h] = all;
+    let k = k & 1;
+    [a[k], b[k], c[k], d[k], e[k], f[k], g[k], h[k]]
+}
+
+/// Both gradients of eight planes.
+#[inline(always)]
+fn gradients<S: Simd>(simd: S, plane: [f64x8<S>; 8]) -> (u64x8<S>, u64x8<S>) {
+    let [za, zb, zc, dx1, dy1, dx2, dy2, area] = plane;
+    let (dz1, dz2) = (zb - za, zc - za);
+    let inverse = f64x8::splat(simd, 1.0) / area;
+    (
+        gradient(simd, dz1 * dy2 - dz2 * dy1, area, inverse),
+        gradient(simd, dz2 * dx1 - dz1 * dx2, area, inverse),
+    )
 }
 
 /// floor(2^32 N / D + 1/2) modulo 2^64 for |N| <= 2^48 and 0 < D < 2^31: three digits, each the
-/// rounded quotient of an exact remainder, and one exact correction.
+/// rounded quotient of an exact remainder.
 ///
 /// `inverse` is 1 / D, so a proposed digit is off by less than 1/2 + 1/8 and the next remainder is below
-/// D; the last digit is below 2^17, so its remainder exceeds D/2 by less than one.
+/// D: whole numbers of less than 53 bits, exact. The last digit is below 2^17, so the estimate before its
+/// rounding is off by less than 2^-35. The exact quotient is a multiple of 1 / D > 2^-31 and no odd number
+/// of halves (D is no multiple of 2^33), so it is at least 1 / (2 D) > 2^-32 away from those, and rounding
+/// the estimate rounds it.
 #[inline(always)]
-fn gradient<S: Simd>(simd: S, numerator: f64x8<S>, area: f64x8<S>, inverse: f64x8<S>, out: &mut [u64; 8]) {
+fn gradient<S: Simd>(simd: S, numerator: f64x8<S>, area: f64x8<S>, inverse: f64x8<S>) -> u64x8<S> {
     let digit = f64x8::splat(simd, 65536.0);
     let whole = (numerator * inverse).round_ties_even();
     let rest = (numerator - whole * area) * digit;
     let high = (rest * inverse).round_ties_even();
     let rest = (rest - high * area) * digit;
     let low = (rest * inverse).round_ties_even();
-    let rest = rest - low * area;
-    let (zero, one) = (f64x8::splat(simd, 0.0), f64x8::splat(simd, 1.0));
-    let twice = rest + rest;
-    let up = twice.simd_ge(area).select(one, zero);
-    let down = twice.simd_lt(zero - area).select(one, zero);
-    let fraction = high * digit + low + up - down;
+    let fraction = high * digit + low;
     // Adding 1.5 * 2^52 leaves an integer in the low bits, in two's complement.
     let magic = f64x8::splat(simd, 6_755_399_441_055_744.0);
     let whole = (whole + magic).to_bits() << 32;
     let fraction = (fraction + magic).to_bits() - magic.to_bits();
-    (whole + fraction).store_slice(out);
+    whole + fraction
 }
 
-/// `crate::unorm16` of eight depths, kept in the vertices' range, in the upper half.
+/// `crate::unorm16` of sixteen depths, kept in the vertices' range, in the upper half.
 #[inline(always)]
-fn unorm16<S: Simd>(simd: S, depth: u32x8<S>) -> u32x8<S> {
-    let (one, zero) = (u32x8::splat(simd, 1), u32x8::splat(simd, 0));
-    let (high, low) = (depth >> 16, depth & u32x8::splat(simd, 0xFFFF));
+fn unorm16<S: Simd>(simd: S, depth: u32x16<S>) -> u32x16<S> {
+    let (one, zero) = (u32x16::splat(simd, 1), u32x16::splat(simd, 0));
+    let (high, low) = (depth >> 16, depth & u32x16::splat(simd, 0xFFFF));
     let borrow = low.simd_lt(high);
-    let remainder = low - high + borrow.select(u32x8::splat(simd, 65537), zero);
+    let remainder = low - high + borrow.select(u32x16::splat(simd, 65537), zero);
     let quotient = high - borrow.select(one, zero);
-    let rounded = quotient + remainder.simd_gt(u32x8::splat(simd, 65537 / 2)).select(one, zero);
-    rounded.max(u32x8::splat(simd, DEPTH16_MIN)).min(u32x8::splat(simd, DEPTH16_MAX)) << 16
+    let rounded = quotient + remainder.simd_gt(u32x16::splat(simd, 65537 / 2)).select(one, zero);
+    rounded.max(u32x16::splat(simd, DEPTH16_MIN)).min(u32x16::splat(simd, DEPTH16_MAX)) << 16
 }
