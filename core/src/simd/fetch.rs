@@ -1,6 +1,6 @@
 //! The snapped corners of sixteen triangles, from the vertex stage's records to lanes.
 
-use crate::draw::Index;
+use crate::{draw::Index, geometry::Vertex, numbers::Standard};
 use fearless_simd::{Simd, i32x16, mask32x16, prelude::*, u32x4, u32x16, u64x2};
 
 /// The vertex stage's output: x and y in steps, and z as unorm32, apart.
@@ -75,6 +75,18 @@ impl Records<'_> {
             self.depths(simd, places::<1, I>(triangles))?,
             self.depths(simd, places::<2, I>(triangles))?,
         ])
+    }
+
+    /// The corners of one triangle; `None` where one has no place in the window, or there is none.
+    #[inline]
+    pub(super) fn vertices(&self, [a, b, c]: [usize; 3]) -> Option<[Vertex<Standard>; 3]> {
+        Some([self.vertex(a)?, self.vertex(b)?, self.vertex(c)?])
+    }
+
+    #[inline]
+    fn vertex(&self, at: usize) -> Option<Vertex<Standard>> {
+        let &[x, y] = self.places.get(at)?;
+        Vertex::new(x as i32, y as i32, *self.depths.get(at)?).ok()
     }
 
     #[inline(always)]

@@ -9,18 +9,25 @@
 mod attachment;
 mod blocks;
 mod cull;
+mod draw;
 mod extent;
 mod fetch;
+mod frustum;
 mod level;
+mod meshlet;
 mod ops;
 mod pipeline;
 mod queue;
 mod rows;
 mod setup;
+mod source;
 mod vertex;
+mod window;
 mod windows;
 
 pub use attachment::RowAttachment;
 pub use level::Level;
-pub use pipeline::{Triangles, draw};
+pub use meshlet::{Meshlet, MeshletError, make_meshlets, max_meshlets};
+pub use draw::{Triangles, draw, draw_meshlets};
 pub use vertex::Snapped;
+pub use window::MeshletScratch;

@@ -1,106 +1,40 @@
-//! A whole draw: vertices, culling, set-up, rows.
+//! From records and triangles to attachments: culling, set-up, blocks.
 
 use super::{
     attachment::RowAttachment,
     blocks::{draw_medium, draw_small},
     cull::{Culling, Verdict, padded},
     fetch::Records,
-    level::Level,
     ops::bits,
     queue::Queue,
     rows::{Solved, draw_double, draw_single},
     setup::{Batch, DepthSetup, set_up},
-    vertex::{Snapped, split, stage},
+    source::Source,
     windows::Windows,
 };
 use crate::{
     attachments::{D16, D32, DepthFormat},
-    draw::{self, DrawError, Index, State, Statistics},
-    geometry::{Culled, Positions, Region, Vertex},
+    draw::{self, Index, State, Statistics},
+    geometry::{Assembly, Culled, Region, Vertex},
     numbers::Standard,
-    transform::ModelPositions,
 };
-use fearless_simd::{Simd, dispatch, mask32x16, prelude::*, u32x16};
-
-/// A triangle list whose indices have been checked, once for many draws.
-#[derive(Clone, Copy, Debug)]
-pub struct Triangles<'a, I> {
-    triangles: &'a [[I; 3]],
-    vertices: usize,
-}
-
-impl<'a, I: Index> Triangles<'a, I> {
-    /// Triangles of three indices each into `vertices` vertices.
-    ///
-    /// # Errors
-    ///
-    /// [`DrawError::IndexCount`] and [`DrawError::IndexOutOfRange`].
-    pub fn new(indices: &'a [I], vertices: usize) -> Result<Self, DrawError> {
-        let triangles = draw::check_indices(indices, vertices)?;
-        Ok(Self { triangles, vertices })
-    }
-}
-
-/// [`draw`](crate::draw()) of object-space vertices in vector registers of `level`: the same picture,
-/// the same statistics.
-///
-/// `records` is scratch memory, at least as long as there are vertices.
-///
-/// # Errors
-///
-/// [`DrawError`], before anything is written: as [`draw`](crate::draw()), and
-/// [`DrawError::ScratchTooSmall`]; [`DrawError::IndexOutOfRange`] where `triangles` was checked for more
-/// vertices than there are.
-pub fn draw<I: Index, A: RowAttachment>(
-    level: Level,
-    positions: &ModelPositions<'_, Standard>,
-    records: &mut [Snapped],
-    triangles: Triangles<'_, I>,
-    first_id: u32,
-    state: &State<Standard>,
-    attachments: &mut A,
-) -> Result<Statistics, DrawError> {
-    let vertices = positions.count();
-    let indices = triangles.triangles.as_flattened();
-    if triangles.vertices > vertices {
-        draw::check_indices(indices, vertices)?;
-    }
-    let given = records.len();
-    let Some(records) = records.get_mut(..vertices) else {
-        return Err(DrawError::ScratchTooSmall { needed: vertices, given });
-    };
-    let triangles = triangles.triangles;
-    let (submitted, area) = draw::check_draw(positions, triangles.len(), first_id, state, attachments)?;
-    let (Some(level), Some(area), true) = (level.0, area, attachments.fast()) else {
-        return draw::draw(positions, indices, first_id, state, attachments);
-    };
-    let mut statistics = Statistics { submitted, ..Statistics::default() };
-    dispatch!(level, simd => {
-        simd.vectorize(
-            #[inline(always)]
-            || {
-                let (places, depths) = split(records);
-                stage(simd, positions, places, depths);
-                let drawing = Drawing { simd, positions, records: Records { places, depths }, area, state };
-                drawing.run(triangles, first_id, attachments, &mut statistics);
-            },
-        );
-    });
-    Ok(statistics)
-}
+use fearless_simd::{Simd, mask32x16, prelude::*, u32x16};
 
 /// What stays the same in a draw.
 #[derive(Clone, Copy)]
-struct Drawing<'a, S> {
-    simd: S,
-    positions: &'a ModelPositions<'a, Standard>,
-    records: Records<'a>,
-    area: Region<Standard>,
-    state: &'a State<Standard>,
+pub(super) struct Drawing<'a, S, L, P> {
+    pub(super) simd: S,
+    pub(super) records: Records<'a>,
+    /// Corners as places among the records.
+    pub(super) triangles: &'a [[L; 3]],
+    pub(super) source: P,
+    pub(super) area: Region<Standard>,
+    pub(super) state: &'a State<Standard>,
 }
 
 /// Scratch memory of a draw: survivors by how they are drawn, and what is set up of them.
-struct Scratch {
+#[derive(Clone)]
+pub(super) struct Scratch {
     small: Queue,
     medium: Queue,
     others: Queue,
@@ -108,21 +42,28 @@ struct Scratch {
     windows: Windows,
 }
 
-impl<S: Simd> Drawing<'_, S> {
+impl Scratch {
+    pub(super) const EMPTY: Self = Self {
+        small: Queue::EMPTY,
+        medium: Queue::EMPTY,
+        others: Queue::EMPTY,
+        batch: Batch::EMPTY,
+        windows: Windows::EMPTY,
+    };
+}
+
+impl<S: Simd, L: Index, P: Source> Drawing<'_, S, L, P> {
+    /// Culls all triangles and draws those that are left.
     #[inline(always)]
-    fn run<I: Index, A: RowAttachment>(
+    pub(super) fn run<A: RowAttachment>(
         &self,
-        triangles: &[[I; 3]],
-        first_id: u32,
+        culling: &Culling<S>,
+        scratch: &mut Scratch,
         attachments: &mut A,
         statistics: &mut Statistics,
     ) {
-        let culling = Culling::new(self.simd, self.area, self.state);
-        let none = Queue::EMPTY;
-        let mut scratch =
-            Scratch { small: none, medium: none, others: none, batch: Batch::EMPTY, windows: Windows::EMPTY };
+        let triangles = self.triangles;
         let numbers = u32x16::simd_from(self.simd, [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15]);
-        let list = List { triangles, first_id };
         let mut last;
         let mut done = 0;
         while let Some(rest) = triangles.get(done..).filter(|rest| !rest.is_empty()) {
@@ -141,39 +82,38 @@ impl<S: Simd> Drawing<'_, S> {
             culled.no_sample += verdict.no_sample.count_ones();
             let numbers = numbers + u32x16::splat(self.simd, done as u32);
             if A::ORDERED {
-                self.in_order(&verdict, numbers, done as u32, list, &mut scratch, attachments, statistics);
+                self.in_order(&verdict, numbers, done as u32, scratch, attachments, statistics);
             } else {
                 scratch.small.push(numbers, verdict.small);
                 scratch.medium.push(numbers, verdict.medium);
                 scratch.others.push(numbers, verdict.fast & !verdict.small & !verdict.medium);
-                let Scratch { small, medium, others, batch, windows } = &mut scratch;
+                let Scratch { small, medium, others, batch, windows } = &mut *scratch;
                 for queue in [small, medium, others] {
                     if !queue.has_room() {
-                        self.draw_full(queue, list, batch, windows, attachments, statistics);
+                        self.draw_full(queue, batch, windows, attachments, statistics);
                     }
                 }
                 let mut slow = verdict.slow;
                 while slow != 0 {
-                    self.one(list, done as u32 + slow.trailing_zeros(), attachments, statistics);
+                    self.one(done as u32 + slow.trailing_zeros(), attachments, statistics);
                     slow &= slow - 1;
                 }
             }
             done += rest.len().min(16);
         }
-        let Scratch { small, medium, others, batch, windows } = &mut scratch;
+        let Scratch { small, medium, others, batch, windows } = &mut *scratch;
         for queue in [small, medium, others] {
-            self.draw_all(queue, list, batch, windows, attachments, statistics);
+            self.draw_all(queue, batch, windows, attachments, statistics);
         }
     }
 
     /// Queues the survivors of sixteen triangles for drawing in submitted order.
     #[inline(always)]
-    fn in_order<I: Index, A: RowAttachment>(
+    fn in_order<A: RowAttachment>(
         &self,
         verdict: &Verdict<S>,
         numbers: u32x16<S>,
         first: u32,
-        list: List<'_, I>,
         scratch: &mut Scratch,
         attachments: &mut A,
         statistics: &mut Statistics,
@@ -187,53 +127,50 @@ impl<S: Simd> Drawing<'_, S> {
             let before = fast & ((1 << lane) - 1);
             others.push(numbers, mask32x16::from_bitmask(self.simd, u64::from(before)));
             fast &= !before;
-            self.draw_all(others, list, batch, windows, attachments, statistics);
-            self.one(list, first + lane, attachments, statistics);
+            self.draw_all(others, batch, windows, attachments, statistics);
+            self.one(first + lane, attachments, statistics);
         }
         others.push(numbers, mask32x16::from_bitmask(self.simd, u64::from(fast)));
         if !others.has_room() {
-            self.draw_full(others, list, batch, windows, attachments, statistics);
+            self.draw_full(others, batch, windows, attachments, statistics);
         }
     }
 
     /// Draws the queued triangles in order, all but fewer than sixteen.
     #[inline(always)]
-    fn draw_full<I: Index, A: RowAttachment>(
+    fn draw_full<A: RowAttachment>(
         &self,
         queue: &mut Queue,
-        list: List<'_, I>,
         batch: &mut Batch,
         windows: &mut Windows,
         attachments: &mut A,
         statistics: &mut Statistics,
     ) {
         let full = queue.len() & !15;
-        self.draw_first(queue, full, list, batch, windows, attachments, statistics);
+        self.draw_first(queue, full, batch, windows, attachments, statistics);
         queue.forget(full);
     }
 
     /// Draws all queued triangles in order.
     #[inline(always)]
-    fn draw_all<I: Index, A: RowAttachment>(
+    fn draw_all<A: RowAttachment>(
         &self,
         queue: &mut Queue,
-        list: List<'_, I>,
         batch: &mut Batch,
         windows: &mut Windows,
         attachments: &mut A,
         statistics: &mut Statistics,
     ) {
         let count = queue.len();
-        self.draw_first(queue, count, list, batch, windows, attachments, statistics);
+        self.draw_first(queue, count, batch, windows, attachments, statistics);
         queue.forget(count);
     }
 
     #[inline(never)]
-    fn draw_first<I: Index, A: RowAttachment>(
+    fn draw_first<A: RowAttachment>(
         &self,
         queue: &Queue,
         count: usize,
-        list: List<'_, I>,
         batch: &mut Batch,
         windows: &mut Windows,
         attachments: &mut A,
@@ -243,7 +180,7 @@ impl<S: Simd> Drawing<'_, S> {
             #[inline(always)]
             || {
                 for at in (0..count).step_by(16) {
-                    self.draw_batch(queue.batch(at), list, batch, windows, attachments, statistics);
+                    self.draw_batch(queue.batch(at), batch, windows, attachments, statistics);
                 }
             },
         );
@@ -251,17 +188,16 @@ impl<S: Simd> Drawing<'_, S> {
 
     /// Sets up sixteen triangles and draws them.
     #[inline(always)]
-    fn draw_batch<I: Index, A: RowAttachment>(
+    fn draw_batch<A: RowAttachment>(
         &self,
         (numbers, count): (&[u32; 16], usize),
-        list: List<'_, I>,
         batch: &mut Batch,
         windows: &mut Windows,
         attachments: &mut A,
         statistics: &mut Statistics,
     ) {
         let present = 0xFFFF >> (16 - count.min(16));
-        let triangles = list.sixteen(numbers);
+        let triangles = self.sixteen(numbers);
         let known = set_up(self.simd, self.records, &triangles, self.area, self.state, A::DEPTH, batch);
         // Indices were checked before.
         let Some(()) = known else { return };
@@ -272,7 +208,7 @@ impl<S: Simd> Drawing<'_, S> {
         while left != 0 {
             let lane = left.trailing_zeros() as usize;
             left &= left - 1;
-            let id = list.first_id.wrapping_add(numbers[lane & 15]);
+            let id = self.source.id(numbers[lane & 15]);
             if small >> lane & 1 != 0 {
                 draw_small(self.simd, batch, windows, lane, id, attachments);
             } else if medium >> lane & 1 != 0 {
@@ -288,17 +224,22 @@ impl<S: Simd> Drawing<'_, S> {
 
     /// Draws one triangle by way of the scalar clip and set-up.
     #[inline(never)]
-    fn one<I: Index, A: RowAttachment>(
+    fn one<A: RowAttachment>(
         &self,
-        list: List<'_, I>,
         number: u32,
         attachments: &mut A,
         statistics: &mut Statistics,
     ) {
-        let Some(corners) = list.triangles.get(number as usize) else { return };
-        let id = list.first_id.wrapping_add(number);
+        let Some(corners) = self.triangles.get(number as usize) else { return };
+        let id = self.source.id(number);
+        let corners = corners.map(Index::to_usize);
+        // Large, but of snapped vertices: nothing to clip.
+        if let Some(vertices) = self.records.vertices(corners) {
+            statistics.count(Assembly::Whole, Some(self.piece(vertices, id, attachments)));
+            return;
+        }
         let mut outcome = None;
-        let assembly = self.positions.assemble(corners.map(Index::to_usize), |vertices| {
+        let assembly = self.source.assemble(number, |vertices| {
             let piece = self.piece(vertices, id, attachments);
             if outcome.is_none_or(|known: Result<(), Culled>| known.is_err()) {
                 outcome = Some(piece);
@@ -327,19 +268,11 @@ impl<S: Simd> Drawing<'_, S> {
         );
         if drawn { Ok(()) } else { Err(Culled::NoSample) }
     }
-}
 
-/// Triangles and their ids.
-#[derive(Clone, Copy)]
-struct List<'a, I> {
-    triangles: &'a [[I; 3]],
-    first_id: u32,
-}
-
-impl<I: Index> List<'_, I> {
+    /// The corners of sixteen triangles by their numbers.
     #[inline(always)]
-    fn sixteen(&self, numbers: &[u32; 16]) -> [[I; 3]; 16] {
-        let mut sixteen = [[I::ZERO; 3]; 16];
+    fn sixteen(&self, numbers: &[u32; 16]) -> [[L; 3]; 16] {
+        let mut sixteen = [[L::ZERO; 3]; 16];
         for (to, &number) in sixteen.iter_mut().zip(numbers) {
             if let Some(triangle) = self.triangles.get(number as usize) {
                 *to = *triangle;

@@ -137,10 +137,12 @@ fn set_up_inline<S: Simd, I: Index>(
     let extremes =
         [least(a.x, b.x, c.x), greatest(a.x, b.x, c.x), least(a.y, b.y, c.y), greatest(a.y, b.y, c.y)];
     let bounds = Extent::new(simd, region, state).bounds(extremes);
-    let [x0, x1, y0, _] = bounds.inside;
-    for (bound, out) in bounds.inside.into_iter().zip(&mut batch.bounds) {
-        bound.store_slice(out);
-    }
+    let [x0, x1, y0, y1] = bounds.inside;
+    let [out_x0, out_x1, out_y0, out_y1] = &mut batch.bounds;
+    x0.store_slice(out_x0);
+    x1.store_slice(out_x1);
+    y0.store_slice(out_y0);
+    y1.store_slice(out_y1);
 
     // Clockwise, by an exchange of the last two corners.
     let area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
@@ -176,14 +178,20 @@ fn set_up_inline<S: Simd, I: Index>(
 
 #[inline(always)]
 fn store<S: Simd>(from: &Crossings<f32x16<S>>, to: &mut Crossings<[f32; 16]>) {
-    for (edge, out) in from.edges.into_iter().zip(&mut to.edges) {
-        edge.value.store_slice(&mut out.value);
-        edge.step.store_slice(&mut out.step);
-        edge.factor.store_slice(&mut out.factor);
-    }
+    let ([left, right, third], [to_left, to_right, to_third]) = (&from.edges, &mut to.edges);
+    store_edge(left, to_left);
+    store_edge(right, to_right);
+    store_edge(third, to_third);
     from.third.store_slice(&mut to.third);
     from.first.store_slice(&mut to.first);
     from.end.store_slice(&mut to.end);
+}
+
+#[inline(always)]
+fn store_edge<S: Simd>(from: &Crossing<f32x16<S>>, to: &mut Crossing<[f32; 16]>) {
+    from.value.store_slice(&mut to.value);
+    from.step.store_slice(&mut to.step);
+    from.factor.store_slice(&mut to.factor);
 }
 
 /// One edge of sixteen triangles.
@@ -296,18 +304,24 @@ impl<S: Simd> Plane<S> {
     /// The value at the origin, and what pixels add.
     #[inline(always)]
     fn store(&self, simd: S, x: i32x16<S>, y: i32x16<S>, depth: DepthSetup, batch: &mut Batch) {
-        let (low, high) = simd.widen_u32x16(self.depth);
-        let (dx, dy) = (sign_extend(simd, x - self.anchor.x), sign_extend(simd, y - self.anchor.y));
-        let halves = [low, high].into_iter().zip(dx.into_iter().zip(dy)).zip(self.x.into_iter().zip(self.y));
+        let (depth0, depth1) = simd.widen_u32x16(self.depth);
+        let [dx0, dx1] = sign_extend(simd, x - self.anchor.x);
+        let [dy0, dy1] = sign_extend(simd, y - self.anchor.y);
+        let ([x0, x1], [y0, y1]) = (self.x, self.y);
+        let half = u64x8::splat(simd, depth.half());
         let [out_x, out_y] = &mut batch.gradients;
-        let out = batch.origin.as_chunks_mut::<8>().0.iter_mut();
-        let out = out.zip(out_x.as_chunks_mut::<8>().0.iter_mut().zip(out_y.as_chunks_mut::<8>().0));
-        for (((anchor, (dx, dy)), (gx, gy)), (origin, (out_x, out_y))) in halves.zip(out) {
-            let value = (anchor << 32) + u64x8::splat(simd, depth.half()) + gx * dx + gy * dy;
-            value.store_slice(origin);
-            (gx << 8).store_slice(out_x);
-            (gy << 8).store_slice(out_y);
-        }
+        store_words(&mut batch.origin, (depth0 << 32) + half + x0 * dx0 + y0 * dy0, (depth1 << 32) + half + x1 * dx1 + y1 * dy1);
+        store_words(out_x, x0 << 8, x1 << 8);
+        store_words(out_y, y0 << 8, y1 << 8);
+    }
+}
+
+/// Sixteen words to memory.
+#[inline(always)]
+fn store_words<S: Simd>(to: &mut [u64; 16], low: u64x8<S>, high: u64x8<S>) {
+    if let [to_low, to_high] = to.as_chunks_mut::<8>().0 {
+        low.store_slice(to_low);
+        high.store_slice(to_high);
     }
 }
 

@@ -60,7 +60,7 @@ pub(super) fn stage<S: Simd>(
     let (chunks, rest) = source.vertices().as_chunks::<16>();
     let out = places.as_chunks_mut::<16>().0.iter_mut().zip(depths.as_chunks_mut::<16>().0);
     for (positions, (places, depths)) in chunks.iter().zip(out) {
-        lanes.sixteen(simd, positions, places, depths);
+        lanes.sixteen(simd, transpose3(simd, positions), places, depths);
     }
     let done = source.vertices().len() - rest.len();
     for (at, (place, depth)) in places.iter_mut().zip(depths).enumerate().skip(done) {
@@ -70,7 +70,8 @@ pub(super) fn stage<S: Simd>(
     }
 }
 
-struct VertexLanes<S: Simd> {
+/// The constants of a draw's vertex stage.
+pub(super) struct VertexLanes<S: Simd> {
     matrix: [[f32x16<S>; 4]; 4],
     half: [f32x16<S>; 2],
     center: [f32x16<S>; 2],
@@ -79,7 +80,7 @@ struct VertexLanes<S: Simd> {
 
 impl<S: Simd> VertexLanes<S> {
     #[inline(always)]
-    fn new(simd: S, source: &ModelPositions<'_, Standard>) -> Self {
+    pub(super) fn new(simd: S, source: &ModelPositions<'_, Standard>) -> Self {
         let splat = |v: f32| f32x16::splat(simd, v);
         let m = source.matrix();
         let row = |r: usize| [splat(m[r][0]), splat(m[r][1]), splat(m[r][2]), splat(m[r][3])];
@@ -93,9 +94,15 @@ impl<S: Simd> VertexLanes<S> {
         }
     }
 
+    /// The places and depths of sixteen vertices, given their x, y and z.
     #[inline(always)]
-    fn sixteen(&self, simd: S, positions: &[[f32; 3]; 16], places: &mut [[u32; 2]; 16], depths: &mut [u32; 16]) {
-        let [px, py, pz] = transpose3(simd, positions);
+    pub(super) fn sixteen(
+        &self,
+        simd: S,
+        [px, py, pz]: [f32x16<S>; 3],
+        places: &mut [[u32; 2]; 16],
+        depths: &mut [u32; 16],
+    ) {
         let [[m00, m01, m02, m03], [m10, m11, m12, m13], [m20, m21, m22, m23], [m30, m31, m32, m33]] =
             self.matrix;
         let x = px * m00 + py * m10 + pz * m20 + m30;

@@ -76,11 +76,12 @@ impl Windows {
             if medium == 0 {
                 narrow(simd, row).store_slice(first);
             } else {
-                let [w0, words @ ..] = wide(simd, row);
+                let [w0, w1, w2, w3] = wide(simd, row);
+                let [second, third, fourth] = others;
                 w0.store_slice(first);
-                for (word, out) in words.into_iter().zip(others) {
-                    word.store_slice(out);
-                }
+                w1.store_slice(second);
+                w2.store_slice(third);
+                w3.store_slice(fourth);
             }
         }
         bits(any.simd_gt(u32x16::splat(simd, 0)))

@@ -15,4 +15,6 @@ pub use model::ModelPositions;
 #[cfg(feature = "simd")]
 pub(crate) use plane::Plane;
 pub use positions::ClipPositions;
+#[cfg(feature = "simd")]
+pub(crate) use positions::assemble;
 pub use viewport::Viewport;

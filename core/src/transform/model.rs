@@ -30,13 +30,18 @@ impl<'a, F: Format> ModelPositions<'a, F> {
     #[inline]
     #[must_use]
     pub fn clip(&self, at: usize) -> Option<[f32; 4]> {
-        let &[x, y, z] = self.vertices.get(at)?;
+        self.vertices.get(at).map(|&position| self.clip_point(position))
+    }
+
+    /// The clip-space vertex of an object-space one.
+    #[inline]
+    pub(crate) fn clip_point(&self, [x, y, z]: [f32; 3]) -> [f32; 4] {
         let [m0, m1, m2, m3] = self.matrix;
         let mut clip = m3;
         for (c, (((m0, m1), m2), m3)) in clip.iter_mut().zip(m0.into_iter().zip(m1).zip(m2).zip(m3)) {
             *c = x * m0 + y * m1 + z * m2 + m3;
         }
-        Some(clip)
+        clip
     }
 
     #[cfg(feature = "simd")]

@@ -53,7 +53,7 @@ impl<F: Format> Positions<F> for ClipPositions<'_, F> {
 
 /// Emits the window triangles of a clip-space triangle.
 #[inline]
-pub(super) fn assemble<F: Format>(
+pub(crate) fn assemble<F: Format>(
     corners: [[f32; 4]; 3],
     viewport: &Viewport<F>,
     planes: &[Plane; 7],

@@ -1,0 +1,240 @@
+//! Meshlets: runs of a mesh's triangles with vertices of their own and a box round them, made once per
+//! mesh, so that a draw passes over those outside the view frustum unseen.
+
+use crate::{
+    draw::{self, DrawError, Index},
+    geometry::{Assembly, Positions, Region, Vertex},
+    numbers::Standard,
+    transform::{ModelPositions, assemble},
+};
+use core::{error::Error, fmt};
+
+/// Most vertices of a meshlet.
+pub(super) const VERTICES: usize = 96;
+/// Most triangles of a meshlet.
+pub(super) const TRIANGLES: usize = 128;
+
+/// Consecutive triangles of a mesh, and the vertices they use.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub struct Meshlet {
+    /// The box round the vertices; not finite where a vertex is not.
+    pub(super) low: [f32; 3],
+    pub(super) high: [f32; 3],
+    /// How many vertices and triangles there are.
+    vertices: u8,
+    triangles: u8,
+    /// The number of the first triangle in the mesh.
+    first: u32,
+    /// x, y and z of the vertices, and of the last one again in the places left.
+    pub(super) positions: [[f32; VERTICES]; 3],
+    corners: [[u8; 3]; TRIANGLES],
+}
+
+/// Meshlets that cannot be made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeshletError {
+    /// The indices are none that could be drawn.
+    Indices(DrawError),
+    /// There is room for too few meshlets.
+    TooFew {
+        /// Meshlets needed.
+        needed: usize,
+        /// Meshlets given.
+        given: usize,
+    },
+}
+
+impl fmt::Display for MeshletError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Indices(error) => error.fmt(f),
+            Self::TooFew { needed, given } => {
+                write!(f, "room for {given} meshlets: the mesh needs {needed}")
+            }
+        }
+    }
+}
+
+impl Error for MeshletError {}
+
+/// How many meshlets a mesh of that many triangles can need at most: each but the last has 21 triangles
+/// or more.
+#[must_use]
+pub const fn max_meshlets(triangles: usize) -> usize {
+    triangles.div_ceil(VERTICES / 3)
+}
+
+/// Makes the meshlets of a triangle list, three indices into `positions` each, in the order of the
+/// triangles; those that were made.
+///
+/// # Errors
+///
+/// [`MeshletError::Indices`] with [`DrawError::IndexCount`], [`DrawError::IndexOutOfRange`] or
+/// [`DrawError::TooManyIds`], nothing is written then; [`MeshletError::TooFew`] where `meshlets` is too
+/// short, its contents mean nothing then.
+pub fn make_meshlets<'m, I: Index>(
+    positions: &[[f32; 3]],
+    indices: &[I],
+    meshlets: &'m mut [Meshlet],
+) -> Result<&'m mut [Meshlet], MeshletError> {
+    let triangles = draw::check_indices(indices, positions.len()).map_err(MeshletError::Indices)?;
+    if u32::try_from(triangles.len()).is_err() {
+        let error = DrawError::TooManyIds { first_id: 0, triangles: triangles.len() };
+        return Err(MeshletError::Indices(error));
+    }
+    let given = meshlets.len();
+    let mut needed = 0;
+    let mut builder = Builder::new(0);
+    for (number, corners) in (0..).zip(triangles) {
+        let corners = corners.map(Index::to_u32);
+        if !builder.add(corners, positions) {
+            if let Some(meshlet) = meshlets.get_mut(needed) {
+                *meshlet = builder.finish();
+            }
+            needed += 1;
+            builder = Builder::new(number);
+            builder.add(corners, positions);
+        }
+    }
+    if builder.meshlet.triangles > 0 {
+        if let Some(meshlet) = meshlets.get_mut(needed) {
+            *meshlet = builder.finish();
+        }
+        needed += 1;
+    }
+    meshlets.get_mut(..needed).ok_or(MeshletError::TooFew { needed, given })
+}
+
+/// A meshlet in the making.
+struct Builder {
+    meshlet: Meshlet,
+    /// The mesh's numbers of the vertices.
+    names: [u32; VERTICES],
+}
+
+impl Builder {
+    fn new(first: u32) -> Self {
+        Self { meshlet: Meshlet { first, ..Meshlet::EMPTY }, names: [0; VERTICES] }
+    }
+
+    /// Adds a triangle; `false`, and nothing changes, where it does not fit.
+    fn add(&mut self, corners: [u32; 3], positions: &[[f32; 3]]) -> bool {
+        let mut names = self.names;
+        let mut vertices = self.meshlet.vertices;
+        let mut places = [0; 3];
+        for (place, name) in places.iter_mut().zip(corners) {
+            let known = names.iter().take(usize::from(vertices)).position(|&known| known == name);
+            *place = match (known, names.get_mut(usize::from(vertices))) {
+                (Some(known), _) => known as u8,
+                (None, Some(next)) => {
+                    *next = name;
+                    vertices += 1;
+                    vertices - 1
+                }
+                (None, None) => return false,
+            };
+        }
+        let Some(to) = self.meshlet.corners.get_mut(usize::from(self.meshlet.triangles)) else { return false };
+        *to = places;
+        self.meshlet.triangles += 1;
+        for at in self.meshlet.vertices..vertices {
+            if let Some(position) = names.get(usize::from(at)).and_then(|&name| positions.get(name as usize)) {
+                self.meshlet.place(usize::from(at), *position);
+            }
+        }
+        self.meshlet.vertices = vertices;
+        self.names = names;
+        true
+    }
+
+    /// The meshlet, its places without a vertex filled.
+    fn finish(&mut self) -> Meshlet {
+        let vertices = usize::from(self.meshlet.vertices);
+        for axis in &mut self.meshlet.positions {
+            let last = axis.get(vertices.wrapping_sub(1)).copied().unwrap_or(0.0);
+            for value in axis.iter_mut().skip(vertices) {
+                *value = last;
+            }
+        }
+        self.meshlet
+    }
+}
+
+impl Meshlet {
+    /// A meshlet without triangles, to fill arrays with.
+    pub const EMPTY: Self = Self {
+        low: [f32::INFINITY; 3],
+        high: [f32::NEG_INFINITY; 3],
+        vertices: 0,
+        triangles: 0,
+        first: 0,
+        positions: [[0.0; VERTICES]; 3],
+        corners: [[0; 3]; TRIANGLES],
+    };
+
+    /// Sets a vertex and widens the box.
+    fn place(&mut self, at: usize, position: [f32; 3]) {
+        let finite = position.iter().all(|v| v.is_finite());
+        let axes = self.positions.iter_mut().zip(self.low.iter_mut().zip(&mut self.high));
+        for ((axis, (low, high)), value) in axes.zip(position) {
+            if let Some(to) = axis.get_mut(at) {
+                *to = value;
+            }
+            // Infinite once, infinite for ever.
+            *low = low.min(if finite { value } else { f32::NEG_INFINITY });
+            *high = high.max(if finite { value } else { f32::INFINITY });
+        }
+    }
+
+    /// How many vertices there are.
+    pub(super) fn vertices(&self) -> usize {
+        usize::from(self.vertices)
+    }
+
+    /// The triangles' corners, as places among the vertices.
+    pub(super) fn corners(&self) -> &[[u8; 3]] {
+        self.corners.get(..usize::from(self.triangles)).unwrap_or(&[])
+    }
+
+    /// The number of the first triangle in the mesh.
+    pub(super) const fn first(&self) -> u32 {
+        self.first
+    }
+
+    /// A vertex.
+    fn position(&self, at: usize) -> Option<[f32; 3]> {
+        let [x, y, z] = &self.positions;
+        if at >= self.vertices() {
+            return None;
+        }
+        Some([*x.get(at)?, *y.get(at)?, *z.get(at)?])
+    }
+}
+
+/// A meshlet's vertices as a draw's positions.
+pub(super) struct MeshletPositions<'a> {
+    pub(super) meshlet: &'a Meshlet,
+    /// The matrix and the viewport; vertices of its own do not matter.
+    pub(super) camera: &'a ModelPositions<'a, Standard>,
+}
+
+impl Positions<Standard> for MeshletPositions<'_> {
+    fn count(&self) -> usize {
+        self.meshlet.vertices()
+    }
+
+    fn window(&self) -> Option<Region<Standard>> {
+        self.camera.window()
+    }
+
+    fn assemble<E: FnMut([Vertex<Standard>; 3])>(&self, corners: [usize; 3], emit: E) -> Assembly {
+        let [a, b, c] = corners.map(|at| self.meshlet.position(at).map(|p| self.camera.clip_point(p)));
+        match (a, b, c) {
+            (Some(a), Some(b), Some(c)) => {
+                assemble([a, b, c], self.camera.viewport(), self.camera.planes(), emit)
+            }
+            _ => Assembly::NoVertex,
+        }
+    }
+}
