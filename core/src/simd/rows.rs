@@ -12,7 +12,7 @@ use crate::{
     geometry::{Plane, Region, Triangle},
     numbers::Standard,
 };
-use fearless_simd::{Simd, f32x16, f64x8, i32x4, i32x16, prelude::*};
+use fearless_simd::{Simd, f32x16, f64x8, i32x16, prelude::*};
 
 /// One triangle ready for its rows, its edges in `f32` or `f64`.
 #[derive(Clone, Copy)]
@@ -258,26 +258,39 @@ fn draw_rows<S: Simd, R: Rows<S>, A: RowAttachment>(
         any |= covered.any_true();
         let begin = covered.select(begin, i32x16::splat(simd, NOWHERE));
         let close = covered.select(close, zero);
-        let mut begins = [0; 16];
-        let mut lasts = [0; 16];
-        let mut firsts = [0; 16];
-        let mut ends = [0; 16];
-        begin.store_slice(&mut begins);
-        (count.max(i32x16::splat(simd, 1)) + i32x16::splat(simd, i32::MAX)).store_slice(&mut lasts);
+        let last = count.max(i32x16::splat(simd, 1)) + i32x16::splat(simd, i32::MAX);
+        let (mut begins, mut lasts) = ([[0; 16]; 4], [[0; 16]; 4]);
+        let (mut firsts, mut ends) = ([0; 16], [0; 16]);
+        spread(simd, begin, &mut begins);
+        spread(simd, last, &mut lasts);
         (least_of_four(begin) >> 2).store_slice(&mut firsts);
         ((greatest_of_four(close) + i32x16::splat(simd, 3)) >> 2).store_slice(&mut ends);
-        let begins = begins.as_chunks::<4>().0.iter().zip(lasts.as_chunks::<4>().0);
-        let blocks = firsts.as_chunks::<4>().0.iter().zip(ends.as_chunks::<4>().0);
-        for ((begins, lasts), (&[from, ..], &[until, ..])) in begins.zip(blocks) {
-            let (from, until) = (from as u32, until as u32);
-            let mut position = columns(simd, from) - by_row(simd, begins);
-            let last = by_row(simd, lasts);
+        let [[from0, ..], [from1, ..], [from2, ..], [from3, ..]] = quarters(&firsts);
+        let [[until0, ..], [until1, ..], [until2, ..], [until3, ..]] = quarters(&ends);
+        let ranges = [(from0, until0), (from1, until1), (from2, until2), (from3, until3)];
+        for (&(from, until), (begins, lasts)) in ranges.iter().zip(begins.iter().zip(&lasts)) {
+            let (from, count) = (from as u32, until.wrapping_sub(from).max(0) as u32);
+            let mut position = columns(simd, from) - i32x16::simd_from(simd, *begins);
+            let last = i32x16::simd_from(simd, *lasts);
             let mut depth = row_depth.wrapping_add(right.wrapping_mul(u64::from(from)));
-            for block in attachments.row(cursor, from, until.saturating_sub(from)) {
+            // Where a block is one register, two a turn: the number of turns is easier to predict than it
+            // costs to visit one more that has no sample.
+            let pairs = <S::u32s as SimdBase<S>>::LEN >= 16;
+            let mut row = attachments.row(cursor, from, if pairs { (count + 1) & !1 } else { count });
+            loop {
+                let Some(block) = row.next() else { break };
+                A::write(simd, &lanes, block, position.simd_le(last), upper(depth));
+                position += i32x16::splat(simd, 4);
+                depth = depth.wrapping_add(right);
+                if !pairs {
+                    continue;
+                }
+                let Some(block) = row.next() else { break };
                 A::write(simd, &lanes, block, position.simd_le(last), upper(depth));
                 position += i32x16::splat(simd, 4);
                 depth = depth.wrapping_add(right);
             }
+            drop(row);
             y += 4;
             if y >= y1 {
                 return any;
@@ -319,11 +332,22 @@ fn columns<S: Simd>(simd: S, from: u32) -> i32x16<S> {
         + i32x16::splat(simd, (4 * from) as i32 + i32::MIN)
 }
 
-/// Each of four numbers four times.
+/// Each lane four times, four lanes in each row of memory.
 #[inline(always)]
-fn by_row<S: Simd>(simd: S, [a, b, c, d]: &[i32; 4]) -> i32x16<S> {
-    simd.combine_i32x8(
-        simd.combine_i32x4(i32x4::splat(simd, *a), i32x4::splat(simd, *b)),
-        simd.combine_i32x4(i32x4::splat(simd, *c), i32x4::splat(simd, *d)),
-    )
+fn spread<S: Simd>(simd: S, lanes: i32x16<S>, out: &mut [[i32; 16]; 4]) {
+    let (low, high) = simd.interleave_i32x16(lanes, lanes);
+    let (first, second) = simd.interleave_i32x16(low, low);
+    let (third, fourth) = simd.interleave_i32x16(high, high);
+    let [out0, out1, out2, out3] = out;
+    first.store_slice(out0);
+    second.store_slice(out1);
+    third.store_slice(out2);
+    fourth.store_slice(out3);
+}
+
+/// Sixteen numbers as four times four.
+#[inline(always)]
+fn quarters(sixteen: &[i32; 16]) -> [[i32; 4]; 4] {
+    let [a0, a1, a2, a3, b0, b1, b2, b3, c0, c1, c2, c3, d0, d1, d2, d3] = *sixteen;
+    [[a0, a1, a2, a3], [b0, b1, b2, b3], [c0, c1, c2, c3], [d0, d1, d2, d3]]
 }
