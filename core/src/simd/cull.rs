@@ -33,6 +33,24 @@ pub(super) struct Verdict<S: Simd> {
     pub(super) no_sample: u32,
 }
 
+impl<S: Simd> Verdict<S> {
+    /// All of them outside.
+    #[inline(always)]
+    fn outside(simd: S, present: u32) -> Self {
+        let none = mask32x16::splat(simd, false);
+        Self {
+            fast: none,
+            small: none,
+            medium: none,
+            slow: 0,
+            outside: present,
+            zero_area: 0,
+            facing: 0,
+            no_sample: 0,
+        }
+    }
+}
+
 /// The constants of a draw's culling.
 #[derive(Clone, Copy)]
 pub(super) struct Culling<S: Simd> {
@@ -75,19 +93,9 @@ impl<S: Simd> Culling<S> {
         present: u32,
     ) -> Verdict<S> {
         let simd = self.simd;
-        let none = mask32x16::splat(simd, false);
         let Some([a, b, c]) = records.corners(simd, triangles) else {
             // Indices were checked before.
-            return Verdict {
-                fast: none,
-                small: none,
-                medium: none,
-                slow: 0,
-                outside: present,
-                zero_area: 0,
-                facing: 0,
-                no_sample: 0,
-            };
+            return Verdict::outside(simd, present);
         };
         let (left, right) = (least(a.x, b.x, c.x), greatest(a.x, b.x, c.x));
         let (top, bottom) = (least(a.y, b.y, c.y), greatest(a.y, b.y, c.y));
@@ -100,6 +108,9 @@ impl<S: Simd> Culling<S> {
             | top.simd_ge(self.bottom);
         let excluded = (a.x & b.x & c.x & splat(simd, PLANES)).simd_gt(zero) & right.simd_le(last_special);
         let outside = bits((special & excluded) | (!special & beyond)) & present;
+        if outside == present {
+            return Verdict::outside(simd, present);
+        }
 
         let large = (right - left).max(bottom - top).simd_ge(splat(simd, SMALL_EXTENT));
         let area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
