@@ -8,6 +8,8 @@ use fearless_simd::{Simd, f32x16, prelude::*};
 
 /// Vertices and triangles of the meshlets that are drawn together.
 const CAPACITY: usize = 2048;
+/// Meshlets at most.
+const MEMBERS: usize = 256;
 const _: () = assert!(CAPACITY >= VERTICES && CAPACITY >= TRIANGLES && CAPACITY <= 1 << 16);
 
 /// Scratch memory for drawing meshlets.
@@ -16,10 +18,13 @@ pub struct MeshletScratch {
     places: [[u32; 2]; CAPACITY],
     depths: [u32; CAPACITY],
     triangles: [[u16; 3]; CAPACITY],
-    /// Which meshlet a triangle is of, and which of its triangles.
-    origins: [(u32, u32); CAPACITY],
+    /// Which of the meshlets here a triangle is of.
+    members: [u8; CAPACITY],
+    /// The meshlets' numbers, and where their triangles begin.
+    meshlets: [(u32, u32); MEMBERS],
     vertices: usize,
     count: usize,
+    member: u8,
 }
 
 impl Default for MeshletScratch {
@@ -34,20 +39,24 @@ impl MeshletScratch {
         places: [[0; 2]; CAPACITY],
         depths: [0; CAPACITY],
         triangles: [[0; 3]; CAPACITY],
-        origins: [(0, 0); CAPACITY],
+        members: [0; CAPACITY],
+        meshlets: [(0, 0); MEMBERS],
         vertices: 0,
         count: 0,
+        member: 0,
     };
 
     #[inline(always)]
     pub(super) const fn clear(&mut self) {
-        (self.vertices, self.count) = (0, 0);
+        (self.vertices, self.count, self.member) = (0, 0, 0);
     }
 
     /// Whether another meshlet fits.
     #[inline(always)]
     pub(super) const fn has_room(&self) -> bool {
-        self.vertices + VERTICES <= CAPACITY && self.count + TRIANGLES <= CAPACITY
+        self.vertices + VERTICES <= CAPACITY
+            && self.count + TRIANGLES <= CAPACITY
+            && (self.member as usize) < MEMBERS - 1
     }
 
     /// Transforms a meshlet's vertices and adds its triangles; there is room.
@@ -70,10 +79,12 @@ impl MeshletScratch {
         for (to, from) in to.as_flattened_mut().iter_mut().zip(corners.as_flattened()) {
             *to = u16::from(*from).wrapping_add(base);
         }
-        let origins = self.origins.get_mut(self.count..).unwrap_or(&mut []);
-        for (to, at) in origins.iter_mut().zip(0..corners.len() as u32) {
-            *to = (number, at);
+        let members = self.members.get_mut(self.count..).unwrap_or(&mut []);
+        members.get_mut(..corners.len()).unwrap_or(&mut []).fill(self.member);
+        if let Some(to) = self.meshlets.get_mut(usize::from(self.member)) {
+            *to = (number, self.count as u32);
         }
+        self.member += 1;
         self.count += corners.len();
     }
 
@@ -95,7 +106,8 @@ impl MeshletScratch {
     /// The meshlet that a triangle is of, and which of its triangles it is.
     #[inline(always)]
     pub(super) fn origin(&self, triangle: u32) -> (usize, usize) {
-        let (meshlet, at) = self.origins.get(triangle as usize).copied().unwrap_or((0, 0));
-        (meshlet as usize, at as usize)
+        let member = self.members.get(triangle as usize).copied().unwrap_or(0);
+        let (meshlet, first) = self.meshlets.get(usize::from(member)).copied().unwrap_or((0, 0));
+        (meshlet as usize, triangle.wrapping_sub(first) as usize)
     }
 }
