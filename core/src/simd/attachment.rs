@@ -136,8 +136,13 @@ impl Rows for Depth<'_, Standard, D32> {
         let depths = *lanes + u32x16::splat(simd, depth);
         // Outside, the largest value, which wins nowhere. (A select here would become a masked store, which
         // is slow.)
-        let never = inside.select(u32x16::splat(simd, 0), u32x16::splat(simd, u32::MAX));
         let stored = u32x16::simd_from(simd, *block);
+        if <S::u32s as SimdBase<S>>::LEN >= 16 {
+            let depths = inside.select(depths, u32x16::splat(simd, u32::MAX));
+            stored.min(depths).store_slice(block);
+            return depths.simd_lt(stored);
+        }
+        let never = inside.select(u32x16::splat(simd, 0), u32x16::splat(simd, u32::MAX));
         let depths = depths.max(never);
         stored.min(depths).store_slice(block);
         depths.simd_lt(stored)
@@ -193,9 +198,14 @@ impl Rows for Depth<'_, Standard, D16> {
         Self: 'r,
     {
         let depths = *lanes + u16x16::splat(simd, (depth >> 16) as u16);
+        let stored = u16x16::simd_from(simd, *block);
+        if <S::u32s as SimdBase<S>>::LEN >= 16 {
+            let depths = mask16(simd, inside).select(depths, u16x16::splat(simd, u16::MAX));
+            stored.min(depths).store_slice(block);
+            return mask32(simd, depths.simd_lt(stored));
+        }
         let never = mask16(simd, inside).select(u16x16::splat(simd, 0), u16x16::splat(simd, u16::MAX));
         let depths = depths.max(never);
-        let stored = u16x16::simd_from(simd, *block);
         stored.min(depths).store_slice(block);
         mask32(simd, depths.simd_lt(stored))
     }

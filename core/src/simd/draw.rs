@@ -122,7 +122,8 @@ pub fn draw_meshlets<A: RowAttachment>(
         for meshlet in meshlets {
             let positions = MeshletPositions { meshlet, camera: &camera };
             let first = first_id.saturating_add(meshlet.first());
-            statistics += draw::draw(&positions, meshlet.corners().as_flattened(), first, state, attachments)?;
+            statistics +=
+                draw::draw(&positions, meshlet.corners().as_flattened(), first, state, attachments)?;
         }
         return Ok(statistics);
     };

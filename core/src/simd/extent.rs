@@ -62,12 +62,8 @@ impl<S: Simd> Extent<S> {
     pub(super) fn bounds(&self, [left, right, top, bottom]: [i32x16<S>; 4]) -> PixelBounds<S> {
         let ([up_x, up_y], [x0, x1, y0, y1]) = (self.up, self.region);
         let (first_row, end_row) = ((top + up_y) >> 8, (bottom + up_y) >> 8);
-        let inside = [
-            ((left + up_x) >> 8).max(x0),
-            ((right + up_x) >> 8).min(x1),
-            first_row.max(y0),
-            end_row.min(y1),
-        ];
+        let inside =
+            [((left + up_x) >> 8).max(x0), ((right + up_x) >> 8).min(x1), first_row.max(y0), end_row.min(y1)];
         let extent = (right - left).max(bottom - top);
         let compact =
             extent.simd_lt(splat(self.simd, MEDIUM_EXTENT)) & first_row.simd_ge(y0) & end_row.simd_le(y1);

@@ -135,11 +135,14 @@ impl Builder {
                 (None, None) => return false,
             };
         }
-        let Some(to) = self.meshlet.corners.get_mut(usize::from(self.meshlet.triangles)) else { return false };
+        let Some(to) = self.meshlet.corners.get_mut(usize::from(self.meshlet.triangles)) else {
+            return false;
+        };
         *to = places;
         self.meshlet.triangles += 1;
         for at in self.meshlet.vertices..vertices {
-            if let Some(position) = names.get(usize::from(at)).and_then(|&name| positions.get(name as usize)) {
+            if let Some(position) = names.get(usize::from(at)).and_then(|&name| positions.get(name as usize))
+            {
                 self.meshlet.place(usize::from(at), *position);
             }
         }

@@ -26,8 +26,8 @@ mod window;
 mod windows;
 
 pub use attachment::RowAttachment;
+pub use draw::{Triangles, draw, draw_meshlets};
 pub use level::Level;
 pub use meshlet::{Meshlet, MeshletError, make_meshlets, max_meshlets};
-pub use draw::{Triangles, draw, draw_meshlets};
 pub use vertex::Snapped;
 pub use window::MeshletScratch;

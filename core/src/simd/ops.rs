@@ -9,7 +9,6 @@ pub(super) fn splat<S: Simd>(simd: S, value: i32) -> i32x16<S> {
     i32x16::splat(simd, value)
 }
 
-
 /// The least of three.
 #[inline(always)]
 pub(super) fn least<S: Simd>(a: i32x16<S>, b: i32x16<S>, c: i32x16<S>) -> i32x16<S> {

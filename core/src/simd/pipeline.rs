@@ -224,12 +224,7 @@ impl<S: Simd, L: Index, P: Source> Drawing<'_, S, L, P> {
 
     /// Draws one triangle by way of the scalar clip and set-up.
     #[inline(never)]
-    fn one<A: RowAttachment>(
-        &self,
-        number: u32,
-        attachments: &mut A,
-        statistics: &mut Statistics,
-    ) {
+    fn one<A: RowAttachment>(&self, number: u32, attachments: &mut A, statistics: &mut Statistics) {
         let Some(corners) = self.triangles.get(number as usize) else { return };
         let id = self.source.id(number);
         let corners = corners.map(Index::to_usize);

@@ -142,18 +142,16 @@ impl<S: Simd> Single<S> {
 impl<S: Simd> Rows<S> for Single<S> {
     #[inline(always)]
     fn sixteen(&mut self, simd: S) -> [i32x16<S>; 2] {
-        let Crossings { edges: [left_edge, right_edge, third_edge], third: bound, first, end } = self.crossings;
+        let Crossings { edges: [left_edge, right_edge, third_edge], third: bound, first, end } =
+            self.crossings;
         let [left, right, third] = self.values;
         let (bound, first, end) =
             (f32x16::splat(simd, bound), f32x16::splat(simd, first), f32x16::splat(simd, end));
         let crossing = third * third_edge.factor;
         let begin = (left * left_edge.factor).max(crossing.min(bound)).max(first).min(end).ceil();
         let close = (right * right_edge.factor).min(crossing.max(bound)).max(first).min(end).ceil();
-        self.values = [
-            left + 16.0 * left_edge.step,
-            right + 16.0 * right_edge.step,
-            third + 16.0 * third_edge.step,
-        ];
+        self.values =
+            [left + 16.0 * left_edge.step, right + 16.0 * right_edge.step, third + 16.0 * third_edge.step];
         [i32x16::truncate_from(begin), i32x16::truncate_from(close)]
     }
 }
@@ -182,13 +180,16 @@ impl<S: Simd> Double<S> {
     /// Where the samples of the next eight rows begin and end.
     #[inline(always)]
     fn eight(&mut self, simd: S) -> [f64x8<S>; 2] {
-        let Crossings { edges: [left_edge, right_edge, third_edge], third: bound, first, end } = self.crossings;
+        let Crossings { edges: [left_edge, right_edge, third_edge], third: bound, first, end } =
+            self.crossings;
         let [left, right, third] = self.values;
-        let (bound, first, end) = (f64x8::splat(simd, bound), f64x8::splat(simd, first), f64x8::splat(simd, end));
+        let (bound, first, end) =
+            (f64x8::splat(simd, bound), f64x8::splat(simd, first), f64x8::splat(simd, end));
         let crossing = third * third_edge.factor;
         let begin = (left * left_edge.factor).max(crossing.min(bound)).max(first).min(end).ceil();
         let close = (right * right_edge.factor).min(crossing.max(bound)).max(first).min(end).ceil();
-        self.values = [left + 8.0 * left_edge.step, right + 8.0 * right_edge.step, third + 8.0 * third_edge.step];
+        self.values =
+            [left + 8.0 * left_edge.step, right + 8.0 * right_edge.step, third + 8.0 * third_edge.step];
         [begin, close]
     }
 }

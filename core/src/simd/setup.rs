@@ -158,7 +158,8 @@ fn set_up_inline<S: Simd, I: Index>(
         Edge::new(simd, c, a, origin_x, origin_y),
         Edge::new(simd, a, b, origin_x, origin_y),
     ];
-    let crossings = place_edges(simd, edges, f32x16::float_from(x0 - column), f32x16::float_from(x1 - column));
+    let crossings =
+        place_edges(simd, edges, f32x16::float_from(x0 - column), f32x16::float_from(x1 - column));
     store(&crossings, &mut batch.crossings);
     if depth != DepthSetup::None {
         let [az, bz, cz] = records.corner_depths(simd, triangles)?;
@@ -280,12 +281,7 @@ struct Plane<S: Simd> {
 impl<S: Simd> Plane<S> {
     /// Through three corners, clockwise; `area` is the doubled area before they were made so.
     #[inline(always)]
-    fn new(
-        simd: S,
-        [a, b, c]: [Corner<S>; 3],
-        [az, bz, cz]: [u32x16<S>; 3],
-        area: i32x16<S>,
-    ) -> Self {
+    fn new(simd: S, [a, b, c]: [Corner<S>; 3], [az, bz, cz]: [u32x16<S>; 3], area: i32x16<S>) -> Self {
         // The anchor is the topmost, then leftmost corner: as `Triangle::new`.
         let before = b.y.simd_lt(a.y) | (b.y.simd_eq(a.y) & b.x.simd_lt(a.x));
         let (anchor, depth) = (Corner::select(before, b, a), before.select(bz, az));
@@ -310,7 +306,11 @@ impl<S: Simd> Plane<S> {
         let ([x0, x1], [y0, y1]) = (self.x, self.y);
         let half = u64x8::splat(simd, depth.half());
         let [out_x, out_y] = &mut batch.gradients;
-        store_words(&mut batch.origin, (depth0 << 32) + half + x0 * dx0 + y0 * dy0, (depth1 << 32) + half + x1 * dx1 + y1 * dy1);
+        store_words(
+            &mut batch.origin,
+            (depth0 << 32) + half + x0 * dx0 + y0 * dy0,
+            (depth1 << 32) + half + x1 * dx1 + y1 * dy1,
+        );
         store_words(out_x, x0 << 8, x1 << 8);
         store_words(out_y, y0 << 8, y1 << 8);
     }
