@@ -54,11 +54,16 @@ pub fn draw(data: &Data, folder: &Path) -> Result<Vec<PathBuf>, Error> {
     for (name, title, unit, of) in [
         (
             "stages-time",
-            "Stages of a frame by time",
+            "Stages of a frame by time (levels within three times the fastest)",
             "ms",
             ms as fn(&crate::breakdown::table::Row) -> Option<f64>,
         ),
-        ("stages-instructions", "Stages of a frame by instructions", "millions of instructions", millions),
+        (
+            "stages-instructions",
+            "Stages of a frame by instructions (levels within three times the fewest)",
+            "millions of instructions",
+            millions,
+        ),
     ] {
         let groups = stages(data, unit, of);
         if !groups.is_empty() {
@@ -165,6 +170,12 @@ fn stages(
         {
             stack.parts[place] += value;
         }
+    }
+    // Levels that are much slower would leave nothing to be seen of the others; they are in the table.
+    for group in &mut groups {
+        let all = |stack: &Stack| stack.parts.iter().sum::<f64>();
+        let least = group.stacks.iter().map(all).fold(f64::INFINITY, f64::min);
+        group.stacks.retain(|stack| all(stack) <= 3.0 * least);
     }
     groups
 }

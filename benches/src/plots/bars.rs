@@ -48,7 +48,8 @@ pub fn draw(path: &Path, title: &str, axis: &str, groups: &[Group]) -> Result<()
     let root = SVGBackend::new(path, (WIDTH as u32, height as u32)).into_drawing_area();
     root.fill(&WHITE)?;
     let values = || groups.iter().flat_map(|group| &group.bars).map(|bar| bar.value);
-    let low = 10f64.powf(values().fold(f64::INFINITY, f64::min).min(1e9).log10().floor());
+    // From 1, the unit, on: the length of a bar on a logarithmic axis is how many times more than that.
+    let low = 10f64.powf(values().fold(1.0, f64::min).log10().floor());
     let high = values().fold(low * 10.0, f64::max) * 1.05;
     let x = |value: f64| {
         let part = (value / low).log10().max(0.0) / (high / low).log10();
@@ -58,25 +59,22 @@ pub fn draw(path: &Path, title: &str, axis: &str, groups: &[Group]) -> Result<()
     let bottom = height - FOOT;
     let mut tick = low;
     while tick < high {
-        for (times, label) in [(1.0, true), (2.0, true), (5.0, true)] {
+        for times in [1.0, 2.0, 5.0] {
             let value = tick * times;
             if value > high {
                 break;
             }
             root.draw(&PathElement::new([(x(value), TOP - 8), (x(value), bottom)], FAINT))?;
-            if label {
-                let style = text(12, INK, HPos::Center, VPos::Top);
-                let label = if times == 1.0 { power(value) } else { short_tick(value) };
-                root.draw(&Text::new(label, (x(value), bottom + 4), style))?;
-            }
+            let style = text(14, INK, HPos::Center, VPos::Top);
+            root.draw(&Text::new(power(value), (x(value), bottom + 4), style))?;
         }
         tick *= 10.0;
     }
-    let style = text(13, INK, HPos::Center, VPos::Top);
+    let style = text(15, INK, HPos::Center, VPos::Top);
     root.draw(&Text::new(axis.to_owned(), ((LEFT + WIDTH - RIGHT) / 2, bottom + 22), style))?;
     let mut y = TOP;
     for group in groups {
-        root.draw(&Text::new(group.name.clone(), (16, y + 8), text(15, INK, HPos::Left, VPos::Top)))?;
+        root.draw(&Text::new(group.name.clone(), (16, y + 8), text(17, INK, HPos::Left, VPos::Top)))?;
         y += HEADING;
         for bar in &group.bars {
             let corners = [(LEFT, y + 2), (x(bar.value), y + BAR - 2)];
@@ -88,18 +86,13 @@ pub fn draw(path: &Path, title: &str, axis: &str, groups: &[Group]) -> Result<()
                 root.draw(&Rectangle::new(corners, colour.filled()))?;
             }
             let middle = y + BAR / 2;
-            let style = text(12, INK, HPos::Right, VPos::Center);
+            let style = text(14, INK, HPos::Right, VPos::Center);
             root.draw(&Text::new(bar.name.clone(), (LEFT - 6, middle), style))?;
-            let style = text(12, INK, HPos::Left, VPos::Center);
+            let style = text(14, INK, HPos::Left, VPos::Center);
             root.draw(&Text::new(short(bar.value), (x(bar.value) + 5, middle), style))?;
             y += BAR;
         }
     }
     root.present()?;
     Ok(())
-}
-
-/// 2 and 5 times a power of ten.
-fn short_tick(value: f64) -> String {
-    if value >= 1.0 { format!("{value:.0}") } else { format!("{value}") }
 }

@@ -46,8 +46,8 @@ pub fn draw(path: &Path, title: &str, axes: [&str; 2], curves: &[Curve]) -> Resu
         .bold_line_style(FAINT)
         .light_line_style(RGBColor(240, 240, 240))
         .axis_style(INK)
-        .label_style(("sans-serif", 13).into_font().color(&INK))
-        .axis_desc_style(("sans-serif", 14).into_font().color(&INK))
+        .label_style(("sans-serif", 15).into_font().color(&INK))
+        .axis_desc_style(("sans-serif", 16).into_font().color(&INK))
         .x_desc(axes[0])
         .y_desc(axes[1])
         .x_label_formatter(&|value| power(*value))
@@ -76,7 +76,7 @@ pub fn draw(path: &Path, title: &str, axes: [&str; 2], curves: &[Curve]) -> Resu
         .margin(12)
         .background_style(WHITE.mix(0.9))
         .border_style(FAINT)
-        .label_font(("sans-serif", 14).into_font().color(&INK))
+        .label_font(("sans-serif", 16).into_font().color(&INK))
         .draw()?;
     root.present()?;
     Ok(())

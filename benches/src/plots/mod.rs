@@ -35,6 +35,13 @@ fn text(size: u32, colour: RGBColor, h: HPos, v: VPos) -> TextStyle<'static> {
     ("sans-serif", size).into_font().color(&colour).pos(Pos::new(h, v))
 }
 
+/// The colour of letters on a colour: what can be read.
+fn letters_on(colour: RGBColor) -> RGBColor {
+    let RGBColor(red, green, blue) = colour;
+    let light = 0.3 * f64::from(red) + 0.59 * f64::from(green) + 0.11 * f64::from(blue);
+    if light > 125.0 { INK } else { WHITE }
+}
+
 /// A number of at most four signs: 0.05, 1.3, 27, 1200.
 fn short(value: f64) -> String {
     match value {
@@ -45,10 +52,13 @@ fn short(value: f64) -> String {
     }
 }
 
-/// A power of ten as people write it: 0.001, 1, 10^6.
+/// A place on a logarithmic axis as people write it: 0.001, 1, 2000, 10^6.
 fn power(value: f64) -> String {
     let exponent = value.log10().round();
-    if (-4.0..=4.0).contains(&exponent) {
+    if (value / 10f64.powf(exponent) - 1.0).abs() > 1e-6 {
+        return format!("{value}");
+    }
+    if (-4.0..=3.0).contains(&exponent) {
         let digits = (-exponent).max(0.0) as usize;
         format!("{value:.digits$}")
     } else {
@@ -68,5 +78,6 @@ mod tests {
     fn numbers_are_short() {
         assert_eq!([0.0514, 1.34, 27.31, 1234.5].map(short), ["0.051", "1.34", "27.3", "1234"]);
         assert_eq!([0.001, 1.0, 100.0, 1e6, 1e-7].map(power), ["0.001", "1", "100", "10⁶", "10⁻⁷"]);
+        assert_eq!([2000.0, 50_000.0].map(power), ["2000", "50000"]);
     }
 }

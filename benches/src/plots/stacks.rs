@@ -5,7 +5,7 @@ use std::path::Path;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
 
-use super::{Error, INK, colour, short, text};
+use super::{Error, INK, colour, letters_on, short, text};
 
 /// A bar of parts, in the order of the legend.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,17 +47,17 @@ pub fn draw(path: &Path, title: &str, legend: &[&str], groups: &[Group]) -> Resu
     for (place, name) in legend.iter().enumerate() {
         let x = 16 + place as i32 * step;
         root.draw(&Rectangle::new([(x, 54), (x + 14, 68)], colour(place).filled()))?;
-        let style = text(13, INK, HPos::Left, VPos::Center);
+        let style = text(15, INK, HPos::Left, VPos::Center);
         root.draw(&Text::new((*name).to_owned(), (x + 20, 61), style))?;
     }
     let mut y = TOP;
     for group in groups {
-        root.draw(&Text::new(group.name.clone(), (16, y + 12), text(15, INK, HPos::Left, VPos::Top)))?;
+        root.draw(&Text::new(group.name.clone(), (16, y + 12), text(17, INK, HPos::Left, VPos::Top)))?;
         y += HEADING;
         let most = group.stacks.iter().map(|stack| stack.parts.iter().sum::<f64>()).fold(0.0, f64::max);
         for stack in &group.stacks {
             let middle = y + BAR / 2;
-            let style = text(13, INK, HPos::Right, VPos::Center);
+            let style = text(15, INK, HPos::Right, VPos::Center);
             root.draw(&Text::new(stack.name.clone(), (LEFT - 6, middle), style))?;
             let x = |value: f64| LEFT + (value / most * f64::from(WIDTH - LEFT - RIGHT)).round() as i32;
             let mut sum = 0.0;
@@ -69,12 +69,12 @@ pub fn draw(path: &Path, title: &str, legend: &[&str], groups: &[Group]) -> Resu
                 }
                 root.draw(&Rectangle::new(corners, colour(place).filled()))?;
                 let label = short(*part);
-                if corners[1].0 - corners[0].0 > 8 * label.len() as i32 {
-                    let style = text(11, WHITE, HPos::Center, VPos::Center);
+                if corners[1].0 - corners[0].0 > 9 * label.len() as i32 {
+                    let style = text(13, letters_on(colour(place)), HPos::Center, VPos::Center);
                     root.draw(&Text::new(label, ((corners[0].0 + corners[1].0) / 2, middle), style))?;
                 }
             }
-            let style = text(13, INK, HPos::Left, VPos::Center);
+            let style = text(15, INK, HPos::Left, VPos::Center);
             root.draw(&Text::new(short(sum), (x(sum) + 6, middle), style))?;
             y += BAR;
         }
