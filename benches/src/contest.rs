@@ -223,7 +223,7 @@ pub fn most_seconds(scenes: usize, made: usize, options: &Options) -> f64 {
     let peers = (scenes * (peers + moving_peers) + made * peers / 2) as f64
         * options.peers.map_or(0.0, |plan| plan.limit.as_secs_f64());
     // Made-up views have a few frames that are longer than any limit.
-    ours + peers + made as f64 * 5.0
+    ours + peers + made as f64 * 8.0
 }
 
 /// The pixels that every level covers.

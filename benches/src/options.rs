@@ -37,7 +37,7 @@ struct Arguments {
     /// 30 frames, at most 0.15 s for each contender and view: a look, not a measurement
     #[arg(long, conflicts_with_all = ["full", "frames", "seconds", "peer_seconds"])]
     quick: bool,
-    /// Limits so long (20 s, peers 4 s) that nearly all contenders draw all their frames
+    /// Limits so long (8 s, peers 2 s) that all vector levels draw all their frames
     #[arg(long, conflicts_with_all = ["seconds", "peer_seconds"])]
     full: bool,
     /// Measured frames; a tenth of it before, to warm up
@@ -73,7 +73,7 @@ impl Options {
         let arguments = Arguments::try_parse_from(arguments)?;
         let (frames, seconds, peer_seconds) = match (arguments.quick, arguments.full) {
             (true, _) => (30, Duration::from_millis(150), Duration::from_millis(150)),
-            (_, true) => (arguments.frames, Duration::from_secs(20), Duration::from_secs(4)),
+            (_, true) => (arguments.frames, Duration::from_secs(8), Duration::from_secs(2)),
             _ => (arguments.frames, arguments.seconds, arguments.peer_seconds),
         };
         let plan = |limit| Plan { warm_up: frames.div_ceil(10), frames, limit, ..Plan::CLASSIC };
