@@ -96,7 +96,7 @@ pub fn write(path: &Path, records: &[Record]) -> io::Result<()> {
     writer.flush()
 }
 
-/// Reads what [`write`] wrote.
+/// Reads what [`write()`] wrote.
 ///
 /// # Errors
 ///

@@ -78,7 +78,7 @@ pub fn write(path: &Path, rows: &[Row]) -> io::Result<()> {
     writer.flush()
 }
 
-/// Reads what [`write`] wrote.
+/// Reads what [`write()`] wrote.
 ///
 /// # Errors
 ///
