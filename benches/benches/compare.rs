@@ -2,11 +2,12 @@
 
 use std::env;
 use std::process::ExitCode;
+use std::time::Instant;
 
 use halfplane_benches::contest::{self, Outcome};
 use halfplane_benches::options::Options;
-use halfplane_benches::report;
-use halfplane_benches::scenes::{View, files, growth, micro};
+use halfplane_benches::scenes::{View, files, growth, micro, pixels};
+use halfplane_benches::{machine, record, report};
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
@@ -15,7 +16,12 @@ fn main() -> ExitCode {
         println!("compare: measures nothing without optimisation; use cargo bench");
         return ExitCode::SUCCESS;
     }
-    match Options::parse(arguments).and_then(|options| run(&options)) {
+    let options = match Options::parse(arguments) {
+        Ok(options) => options,
+        // Help goes to standard output and is no failure.
+        Err(message) => message.exit(),
+    };
+    match run(&options) {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
             eprintln!("{message}");
@@ -25,40 +31,49 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<(), String> {
+    let started = Instant::now();
+    let machine = machine::describe();
     print!("{}", report::legend());
-    let mut outcomes: Vec<Outcome> = Vec::new();
-    let mut measure = |view: &View| -> Result<(), String> {
-        if options.wants(&view.name) {
-            let outcome = contest::run(view, options)?;
-            print!("{}", report::table(&outcome));
-            outcomes.push(outcome);
-            // A run that is broken off leaves what it has.
-            report::write_csv(&options.csv, &outcomes)
-                .map_err(|error| format!("{}: {error}", options.csv.display()))?;
-        }
-        Ok(())
-    };
-    files::built_in().iter().try_for_each(&mut measure)?;
+    println!("Measured on: {machine}.");
+    let mut scenes = files::built_in();
     for name in files::FILES {
         match files::from_file(&options.scenes, name) {
-            Ok(views) => views.iter().try_for_each(&mut measure)?,
-            Err(reason) => println!("\nSKIPPED: {name}: {reason}"),
+            Ok(views) => scenes.extend(views),
+            Err(reason) => println!("SKIPPED: {name}: {reason}"),
         }
     }
-    for view in micro::views() {
-        if options.wants(&view.name) {
-            measure(&(view.make)(&view.name))?;
-        }
+    scenes.retain(|view| options.wants(&view.name));
+    let mut made = micro::views();
+    made.extend(growth::COUNTS.map(|count| micro::Later {
+        name: growth::name(count),
+        make: Box::new(move |_| growth::view(count, micro::SIZE)),
+    }));
+    made.extend(pixels::COUNTS.map(|samples| micro::Later {
+        name: pixels::name(samples),
+        make: Box::new(move |_| pixels::view(samples, micro::SIZE)),
+    }));
+    made.retain(|later| options.wants(&later.name));
+    if scenes.is_empty() && made.is_empty() {
+        // `cargo bench -- NAME` may mean one of the other benchmarks.
+        println!("no view has such a name; --help tells some");
+        return Ok(());
     }
-    for count in growth::COUNTS {
-        if options.wants(&growth::name(count)) {
-            measure(&growth::view(count, micro::SIZE))?;
-        }
-    }
-    if outcomes.is_empty() {
-        return Err("no view has such a name; --help tells some".to_owned());
-    }
+    let most = contest::most_seconds(scenes.len(), made.len(), options);
+    println!("{} views; at most about {:.0} min.", scenes.len() + made.len(), (most / 60.0).ceil());
+
+    let mut outcomes: Vec<Outcome> = Vec::new();
+    let mut measure = |view: &View| -> Result<(), String> {
+        let outcome = contest::run(view, options)?;
+        print!("{}", report::table(&outcome));
+        outcomes.push(outcome);
+        // A run that is broken off leaves what it has.
+        record::write(&options.csv, &record::records(&outcomes, &machine))
+            .map_err(|error| format!("{}: {error}", options.csv.display()))
+    };
+    scenes.iter().try_for_each(&mut measure)?;
+    made.iter().try_for_each(|later| measure(&(later.make)(&later.name)))?;
     print!("{}", report::summary(&outcomes));
-    println!("\nwritten: {}", options.csv.display());
+    let seconds = started.elapsed().as_secs();
+    println!("\ntook {} min {} s; written: {}", seconds / 60, seconds % 60, options.csv.display());
     Ok(())
 }

@@ -4,7 +4,7 @@
 use std::time::Duration;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use halfplane_benches::ours::{Attachments, Level, Target};
+use halfplane_benches::ours::{self, Attachments, drawn};
 use halfplane_benches::scenes::{View, micro};
 
 fn views() -> Vec<View> {
@@ -22,13 +22,13 @@ fn views() -> Vec<View> {
 }
 
 fn micros(criterion: &mut Criterion) {
-    for level in Level::available() {
+    for level in ours::available() {
         let mut group = criterion.benchmark_group(format!("micro {}", level.name()));
         for view in views() {
-            let mut target = Target::new(&view);
+            let mut target = ours::target(&view);
             group.throughput(Throughput::Elements(view.mesh.triangles() as u64));
             group.bench_function(&view.name, |bencher| {
-                bencher.iter(|| target.frame(level, Attachments::Depth32, &view.matrix));
+                bencher.iter(|| drawn(target.frame(level, Attachments::Depth32, &view.matrix)));
             });
         }
         group.finish();

@@ -1,29 +1,31 @@
 //! The parts of a frame of the built-in scene. Each of `setup`, `traverse` and the draws holds the work
-//! of those before it, so differences are what a part costs (see `ours::Stage`); `frame` is everything.
+//! of those before it, so differences are what a part costs (see `halfplane_cli::target::Stage`); `frame` is everything.
 
 use std::time::Duration;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use halfplane_benches::ours::{Attachments, Level, Stage, Target};
+use halfplane_benches::ours::{self, Attachments, MEASURED, Stage, Target, drawn};
 use halfplane_benches::scenes::files;
 
 fn stages(criterion: &mut Criterion) {
     let views = files::built_in();
     let view = &views[0];
-    let mut target = Target::new(view);
+    let mut target = ours::target(view);
     let mut stages = vec![
         ("clear depth".to_owned(), Stage::Clear(Attachments::Depth32)),
         ("transform".to_owned(), Stage::Transform),
         ("setup".to_owned(), Stage::Setup),
         ("traverse".to_owned(), Stage::Traverse),
     ];
-    stages.extend(Attachments::ALL.map(|a| (format!("draw {}", a.name()), Stage::Draw(a))));
+    stages.extend(MEASURED.map(|a| (format!("draw {}", a.name()), Stage::Draw(a))));
     stages.push(("frame depth".to_owned(), Stage::Frame(Attachments::Depth32)));
-    for level in Level::available() {
+    for level in ours::available() {
         let mut group = criterion.benchmark_group(format!("{} {}", view.name, level.name()));
-        target.stage(level, Stage::Transform, &view.matrix);
+        drawn(target.stage(level, Stage::Transform, &view.matrix));
         for (name, stage) in stages.iter().filter(|(_, stage)| Target::has(level, *stage)) {
-            group.bench_function(name, |bencher| bencher.iter(|| target.stage(level, *stage, &view.matrix)));
+            group.bench_function(name, |bencher| {
+                bencher.iter(|| drawn(target.stage(level, *stage, &view.matrix)));
+            });
         }
         group.finish();
     }

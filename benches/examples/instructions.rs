@@ -13,10 +13,10 @@
 use std::env;
 use std::process::ExitCode;
 
-use halfplane_benches::ours::{Attachments, Level, Stage, Target};
+use halfplane_benches::ours::{self, Attachments, Level, Stage, Target, drawn};
 use halfplane_benches::scenes::micro;
 
-/// See [`Stage`] for what holds what. A frame is the clear, at the scalar level the transform, and a draw.
+/// See [`Stage`] for what holds what. A frame is the clear, at the fallback level the transform, and a draw.
 /// The clear is a `memset`: where that is one `rep stosb`, an emulator counts an instruction for each byte.
 const WORKLOADS: [(&str, Stage); 9] = [
     ("clear_depth", Stage::Clear(Attachments::Depth32)),
@@ -27,16 +27,16 @@ const WORKLOADS: [(&str, Stage); 9] = [
     ("draw_depth", Stage::Draw(Attachments::Depth32)),
     ("draw_depth16", Stage::Draw(Attachments::Depth16)),
     ("draw_ids", Stage::Draw(Attachments::Ids)),
-    ("draw_depth_ids", Stage::Draw(Attachments::DepthIds)),
+    ("draw_depth_ids", Stage::Draw(Attachments::DepthIds32)),
 ];
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     match arguments[..] {
-        ["levels"] => Level::available().iter().for_each(|level| println!("{}", level.name())),
+        ["levels"] => ours::available().iter().for_each(|level| println!("{}", level.name())),
         ["workloads", level] => {
-            let Some(level) = Level::from_name(level) else {
+            let Some(level) = ours::from_name(level) else {
                 eprintln!("no such level here: {level}");
                 return ExitCode::FAILURE;
             };
@@ -46,8 +46,7 @@ fn main() -> ExitCode {
         }
         ["run", level, workload, times] => {
             let stage = WORKLOADS.iter().find(|(name, _)| *name == workload).map(|(_, stage)| *stage);
-            let (Some(level), Some(stage), Ok(times)) =
-                (Level::from_name(level), stage, times.parse::<u32>())
+            let (Some(level), Some(stage), Ok(times)) = (ours::from_name(level), stage, times.parse::<u32>())
             else {
                 eprintln!("no such level here, no such workload, or no such number: {arguments:?}");
                 return ExitCode::FAILURE;
@@ -64,10 +63,10 @@ fn main() -> ExitCode {
 
 fn run(level: Level, stage: Stage, times: u32) {
     let view = micro::mixed();
-    let mut target = Target::new(&view);
+    let mut target = ours::target(&view);
     // Every page touched, every vertex transformed.
-    target.frame(level, Attachments::DepthIds, &view.matrix);
+    drawn(target.frame(level, Attachments::DepthIds32, &view.matrix));
     for _ in 0..times {
-        target.stage(level, stage, &view.matrix);
+        drawn(target.stage(level, stage, &view.matrix));
     }
 }

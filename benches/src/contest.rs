@@ -4,15 +4,19 @@ use std::cell::RefCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
+use halfplane::{ClipPositions, Count, Cull, Region, Standard, State, Viewport, draw};
+use serde::{Deserialize, Serialize};
+
 use crate::limits::{CLEAR_PIXELS, Limit};
 use crate::options::Options;
-use crate::ours::{Attachments, Level, Stage, Target};
+use crate::ours::{self, Attachments, Level, MEASURED, Stage, Target, drawn};
 use crate::peers::{self, Peer, visible::Visible};
 use crate::protocol::{Contender, Frame, Plan, Summary, measure};
 use crate::scenes::View;
 
 /// What the rows of a contest are about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Kind {
     /// The unit of all times: the clear of 1280x720 pixels of 32 bits.
     Unit,
@@ -52,9 +56,14 @@ pub struct Outcome {
     pub view: String,
     /// Its size in pixels.
     pub size: (u32, u32),
+    /// Samples that its triangles cover, each as often as it is covered.
+    pub samples: u64,
     /// In the order they were measured in.
     pub rows: Vec<Row>,
 }
+
+/// The contender that is the limit of what a depth test can be.
+pub const READ_MODIFY_WRITE: &str = "read-modify-write of 1280x720 u32";
 
 /// The row of the fastest level's depth.
 pub const MAIN: Attachments = Attachments::Depth32;
@@ -117,12 +126,12 @@ impl<'a> Field<'a> {
 ///
 /// Which level drew another picture.
 pub fn run(view: &View, options: &Options) -> Result<Outcome, String> {
-    let levels = Level::available();
-    let target = RefCell::new(Target::new(view));
+    let levels = ours::available();
+    let target = RefCell::new(ours::target(view));
     let covered = same_picture(view, &mut target.borrow_mut(), &levels)?;
     let visible = Visible::new(view);
     let (unit, same_size) = (RefCell::new(Limit::new(CLEAR_PIXELS)), RefCell::new(Limit::new(view.pixels())));
-    let visible_target = RefCell::new(Target::with_indices(view, &visible.indices));
+    let visible_target = RefCell::new(ours::with_indices(view, &visible.indices));
     let peers = RefCell::new(Vec::new());
     if options.peers.is_some() && view.peers {
         *peers.borrow_mut() = ready(view, &visible);
@@ -145,7 +154,7 @@ pub fn run(view: &View, options: &Options) -> Result<Outcome, String> {
             continue;
         }
         let all = view.detail && place == 0;
-        for attachments in Attachments::ALL.into_iter().filter(|&a| a == MAIN || all) {
+        for attachments in MEASURED.into_iter().filter(|&a| a == MAIN || all) {
             for moving in [false, true] {
                 if moving && (middle || !view.detail || attachments != MAIN) {
                     continue;
@@ -154,7 +163,7 @@ pub fn run(view: &View, options: &Options) -> Result<Outcome, String> {
                 let (target, motion) = (&target, view.motion());
                 let frame: Frame<'_> = Box::new(move |number| {
                     let matrix = if moving { motion.at(number) } else { view.matrix };
-                    target.borrow_mut().frame(level, attachments, &matrix);
+                    drawn(target.borrow_mut().frame(level, attachments, &matrix));
                 });
                 field.enter(row, options.plan, frame);
             }
@@ -163,7 +172,7 @@ pub fn run(view: &View, options: &Options) -> Result<Outcome, String> {
     let count = peers.borrow().len();
     if let (Some(plan), Some(&level), false) = (options.peers, levels.first(), count == 0) {
         if !visible.indices.is_empty() {
-            visible_target.borrow_mut().frame(level, MAIN, &view.matrix);
+            drawn(visible_target.borrow_mut().frame(level, MAIN, &view.matrix));
             let row = Row {
                 contender: format!("{}, visible only", ours_name(level, MAIN)),
                 kind: Kind::OursVisible,
@@ -173,7 +182,7 @@ pub fn run(view: &View, options: &Options) -> Result<Outcome, String> {
             };
             let target = &visible_target;
             let frame = Box::new(move |_| {
-                target.borrow_mut().frame(level, MAIN, &view.matrix);
+                drawn(target.borrow_mut().frame(level, MAIN, &view.matrix));
             });
             field.enter(row, options.plan, frame);
         }
@@ -185,18 +194,47 @@ pub fn run(view: &View, options: &Options) -> Result<Outcome, String> {
     for (row, summary) in rows.iter_mut().zip(measure(&mut contenders)) {
         row.summary = summary;
     }
-    Ok(Outcome { view: view.name.clone(), size: view.size, rows })
+    Ok(Outcome { view: view.name.clone(), size: view.size, samples: samples(view), rows })
+}
+
+/// Samples that a view's triangles cover, each as often as it is covered.
+///
+/// # Panics
+///
+/// If the view's size is none that a target can have.
+#[must_use]
+pub fn samples(view: &View) -> u64 {
+    let region = Region::of_size(view.size.0, view.size.1).expect("views have sizes that targets can have");
+    let state = State { cull: Cull::Back, ..State::<Standard>::new(region) };
+    let clip: Vec<_> = view.mesh.positions.iter().map(|&position| view.clip(position)).collect();
+    let clip = ClipPositions::new(&clip, Viewport::new(region));
+    let mut count = Count::default();
+    draw(&clip, &view.mesh.indices, 0, &state, &mut count).expect("views have indices that exist");
+    count.samples
+}
+
+/// About how long that many whole scenes and made-up views take at most, in seconds.
+#[must_use]
+pub fn most_seconds(scenes: usize, made: usize, options: &Options) -> f64 {
+    let middle = ours::available().len().saturating_sub(2);
+    let (limits, ends, visible, peers, moving_peers) = (5, 2, 1, 4, 2);
+    let of_scene = limits + MEASURED.len() + ends + middle + visible;
+    let ours = (scenes * of_scene + made * (limits + ends)) as f64 * options.plan.limit.as_secs_f64();
+    let peers = (scenes * (peers + moving_peers) + made * peers / 2) as f64
+        * options.peers.map_or(0.0, |plan| plan.limit.as_secs_f64());
+    // Made-up views have a few frames that are longer than any limit.
+    ours + peers + made as f64 * 8.0
 }
 
 /// The pixels that every level covers.
 fn same_picture(view: &View, target: &mut Target<'_>, levels: &[Level]) -> Result<usize, String> {
     let mut draw = |level| {
-        target.frame(level, MAIN, &view.matrix);
+        drawn(target.frame(level, MAIN, &view.matrix));
         (target.fingerprint(MAIN), target.covered(MAIN))
     };
-    let expected = draw(Level::Scalar);
+    let expected = draw(Level::FALLBACK);
     match levels.iter().find(|&&level| draw(level) != expected) {
-        Some(level) => Err(format!("{}: {} draws another picture than scalar", view.name, level.name())),
+        Some(level) => Err(format!("{}: {} draws another picture than fallback", view.name, level.name())),
         None => Ok(expected.1),
     }
 }
@@ -222,24 +260,20 @@ fn enter_limits<'a>(
     same_size: &'a RefCell<Limit>,
     target: &'a RefCell<Target<'a>>,
 ) {
-    let fastest = Level::fastest();
+    let fastest = ours::fastest();
     let (width, height) = view.size;
     let mut contenders: Vec<(String, Kind, Frame<'a>)> = vec![
         ("clear of 1280x720 u32".to_owned(), Kind::Unit, Box::new(|_| unit.borrow_mut().clear())),
-        (
-            "read-modify-write of 1280x720 u32".to_owned(),
-            Kind::Limit,
-            Box::new(|_| unit.borrow_mut().read_modify_write()),
-        ),
+        (READ_MODIFY_WRITE.to_owned(), Kind::Limit, Box::new(|_| unit.borrow_mut().read_modify_write())),
         (
             "clear of the frame's own depth".to_owned(),
             Kind::Limit,
-            Box::new(move |_| target.borrow_mut().stage(fastest, Stage::Clear(MAIN), &view.matrix)),
+            Box::new(move |_| drawn(target.borrow_mut().stage(fastest, Stage::Clear(MAIN), &view.matrix))),
         ),
         (
             "transform of all vertices".to_owned(),
             Kind::Limit,
-            Box::new(move |_| target.borrow_mut().stage(fastest, Stage::Transform, &view.matrix)),
+            Box::new(move |_| drawn(target.borrow_mut().stage(fastest, Stage::Transform, &view.matrix))),
         ),
     ];
     if view.pixels() != CLEAR_PIXELS {
@@ -295,7 +329,7 @@ mod tests {
         let view = View { peers: true, detail: true, ..growth::view(1000, (64, 36)) };
         let options = Options::parse(["--frames", "5", "--seconds", "1"].map(str::to_owned)).unwrap();
         let outcome = run(&view, &options).unwrap();
-        for name in ["clear of 1280x720 u32", "halfplane scalar depth", "euc", "retrofire", "tiny-skia"] {
+        for name in ["clear of 1280x720 u32", "halfplane fallback depth", "euc", "retrofire", "tiny-skia"] {
             let row = outcome.rows.iter().find(|row| row.contender == name).unwrap();
             assert!(row.summary.frames >= 3 && row.summary.min > 0.0, "{row:?}");
         }
@@ -303,6 +337,6 @@ mod tests {
         assert!(outcome.rows.iter().any(|row| row.contender == "euc" && row.moving));
         let euc = outcome.rows.iter().find(|row| row.contender == "euc" && !row.moving).unwrap();
         let beside = outcome.ours_beside(euc).unwrap();
-        assert_eq!(beside.contender, ours_name(Level::available()[0], MAIN));
+        assert_eq!(beside.contender, ours_name(ours::available()[0], MAIN));
     }
 }

@@ -5,25 +5,34 @@
 //! | [`protocol`] | how frames are timed, and what is said of the times |
 //! | [`options`] | what a run measures, and for how long |
 //! | [`scenes`] | the views that are drawn |
-//! | [`ours`] | the only place that calls the rasterizer |
+//! | [`ours`] | the rasterizer on views |
 //! | [`peers`] | other crates on the same triangles |
 //! | [`limits`] | what the machine can do at best |
 //! | [`contest`] | one view: everybody in turns |
 //! | [`quoted`] | figures of programs that are not crates, measured elsewhere |
-//! | [`report`] | tables and CSV |
+//! | [`machine`] | what was measured on |
+//! | [`report`], [`record`] | what was measured, as tables and as CSV |
+//! | [`breakdown`] | stages of a frame, by instructions and by time |
+//! | [`plots`] | plots as SVG, from plain numbers |
+//! | [`document`] | the tables and plots of `docs/performance.md` |
 //!
-//! Programs: the benchmarks `compare`, `stages` and `micro`, and the example `instructions`, whose
-//! instructions are counted by `.ci/instructions`.
+//! Programs: the benchmarks `compare`, `stages` and `micro`, and the examples `instructions`, whose
+//! instructions are counted by `.ci/instructions`, `breakdown` and `document`.
 
 #![forbid(unsafe_code)]
 
 // Shared with the command `bench`, so that its numbers and these mean the same.
 pub use halfplane_cli::measure::{buffer, limits, protocol};
 
+pub mod breakdown;
 pub mod contest;
+pub mod document;
+pub mod machine;
 pub mod options;
 pub mod ours;
 pub mod peers;
+pub mod plots;
 pub mod quoted;
+pub mod record;
 pub mod report;
 pub mod scenes;

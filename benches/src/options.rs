@@ -1,8 +1,10 @@
-//! What a run of `compare` measures, from its arguments and the environment.
+//! What a run of `compare` measures, from its arguments.
 
 use std::env;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
+
+use clap::Parser;
 
 use crate::protocol::Plan;
 
@@ -21,70 +23,67 @@ pub struct Options {
     pub csv: PathBuf,
 }
 
-/// Told by `--help`.
-pub const USAGE: &str = "\
-cargo bench -p halfplane-benches --bench compare -- [OPTIONS] [NAME]...
-
-Draws every view whose name contains one of the NAMEs (all, if there is none), everybody in turns, and
-prints times. Names are such as \"castle main 1280x720\", \"built-in terrace 1920x1080\", \"micro slivers\",
-\"growth 10^5\".
-
-  --quick            30 frames, at most 0.15 s for each contender and view
-  --frames N         measured frames, a tenth of it to warm up [HALFPLANE_BENCH_FRAMES; 600]
-  --seconds S        time limit for each of our rows in each view [HALFPLANE_BENCH_SECONDS; 1.5]
-  --peer-seconds S   time limit for each peer in each view [HALFPLANE_BENCH_PEER_SECONDS; 0.8]
-  --no-peers         leave the other crates out [HALFPLANE_BENCH_PEERS=0]
-  --scenes DIR       castle.bin, sponza.bin and cameras [HALFPLANE_BENCH_SCENES; ../shared/scenes]
-  --csv FILE         where the CSV goes [target/halfplane-benches.csv]
-
-A contender cut short by the limit shows its number of frames; never fewer than 3.
-";
+/// Draws every view whose name contains one of the NAMEs (all, if there is none), everybody in turns, and
+/// prints times. Names are such as "castle main 1280x720", "built-in terrace 1920x1080", "micro slivers",
+/// "growth 10^5".
+///
+/// A contender that reaches its time limit is cut short and shows its number of frames; never fewer than 3.
+#[derive(Debug, Parser)]
+#[command(name = "cargo bench -p halfplane-benches --bench compare --", no_binary_name = true)]
+struct Arguments {
+    /// Only views whose names contain one of these
+    #[arg(value_name = "NAME")]
+    only: Vec<String>,
+    /// 30 frames, at most 0.15 s for each contender and view: a look, not a measurement
+    #[arg(long, conflicts_with_all = ["full", "frames", "seconds", "peer_seconds"])]
+    quick: bool,
+    /// Limits so long (8 s, peers 2 s) that all vector levels draw all their frames
+    #[arg(long, conflicts_with_all = ["seconds", "peer_seconds"])]
+    full: bool,
+    /// Measured frames; a tenth of it before, to warm up
+    #[arg(long, value_name = "N", default_value_t = Plan::CLASSIC.frames, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    frames: u32,
+    /// Time limit for each of our rows in each view
+    #[arg(long, value_name = "S", default_value = "0.7", value_parser = seconds, allow_hyphen_values = true)]
+    seconds: Duration,
+    /// Time limit for each peer in each view
+    #[arg(long, value_name = "S", default_value = "0.4", value_parser = seconds, allow_hyphen_values = true)]
+    peer_seconds: Duration,
+    /// Leave the other crates out
+    #[arg(long)]
+    no_peers: bool,
+    /// Where castle.bin, sponza.bin and their cameras are [default: ../shared/scenes]
+    #[arg(long, value_name = "DIR")]
+    scenes: Option<PathBuf>,
+    /// Where the CSV goes [default: target/halfplane-benches.csv]
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// What cargo itself adds.
+    #[arg(long = "bench", hide = true)]
+    _bench: bool,
+}
 
 impl Options {
     /// From the arguments after the program's name.
     ///
     /// # Errors
     ///
-    /// A sentence about an argument that is no good; [`USAGE`] where help is asked for.
-    pub fn parse(arguments: impl IntoIterator<Item = String>) -> Result<Self, String> {
-        let mut frames: u32 = from_environment("HALFPLANE_BENCH_FRAMES")?.unwrap_or(600);
-        let mut seconds = from_environment("HALFPLANE_BENCH_SECONDS")?.unwrap_or(1.5);
-        let mut peer_seconds = from_environment("HALFPLANE_BENCH_PEER_SECONDS")?.unwrap_or(0.8);
-        let mut peers = from_environment::<u32>("HALFPLANE_BENCH_PEERS")?.unwrap_or(1) != 0;
-        let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..");
-        let mut scenes = env::var_os("HALFPLANE_BENCH_SCENES")
-            .map_or_else(|| root.join("../shared/scenes"), PathBuf::from);
-        let target = env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
-        let mut csv = target.join("halfplane-benches.csv");
-        let mut only = Vec::new();
-        let mut arguments = arguments.into_iter();
-        while let Some(argument) = arguments.next() {
-            let mut value = || arguments.next().ok_or(format!("{argument} needs a value"));
-            match argument.as_str() {
-                // What cargo itself adds.
-                "--bench" => {}
-                "--help" | "-h" => return Err(USAGE.to_owned()),
-                "--quick" => (frames, seconds, peer_seconds) = (30, 0.15, 0.15),
-                "--frames" => frames = number("--frames", &value()?)?,
-                "--seconds" => seconds = number("--seconds", &value()?)?,
-                "--peer-seconds" => peer_seconds = number("--peer-seconds", &value()?)?,
-                "--no-peers" => peers = false,
-                "--scenes" => scenes = value()?.into(),
-                "--csv" => csv = value()?.into(),
-                unknown if unknown.starts_with('-') => {
-                    return Err(format!("{unknown} is no option\n\n{USAGE}"));
-                }
-                name => only.push(name.to_owned()),
-            }
-        }
-        let plan = |seconds: f64| -> Result<Plan, String> {
-            let limit =
-                Duration::try_from_secs_f64(seconds).map_err(|error| format!("{seconds} s: {error}"))?;
-            Ok(Plan { warm_up: frames.div_ceil(10), frames: frames.max(1), limit, ..Plan::CLASSIC })
+    /// clap's, which are help and version, too.
+    pub fn parse(arguments: impl IntoIterator<Item = String>) -> Result<Self, clap::Error> {
+        let arguments = Arguments::try_parse_from(arguments)?;
+        let (frames, seconds, peer_seconds) = match (arguments.quick, arguments.full) {
+            (true, _) => (30, Duration::from_millis(150), Duration::from_millis(150)),
+            (_, true) => (arguments.frames, Duration::from_secs(8), Duration::from_secs(2)),
+            _ => (arguments.frames, arguments.seconds, arguments.peer_seconds),
         };
-        let ours = plan(seconds)?;
-        let peers = if peers { Some(plan(peer_seconds)?) } else { None };
-        Ok(Self { plan: ours, peers, only, scenes, csv })
+        let plan = |limit| Plan { warm_up: frames.div_ceil(10), frames, limit, ..Plan::CLASSIC };
+        Ok(Self {
+            plan: plan(seconds),
+            peers: (!arguments.no_peers).then(|| plan(peer_seconds)),
+            only: arguments.only,
+            scenes: arguments.scenes.unwrap_or_else(|| root().join("../shared/scenes")),
+            csv: arguments.csv.unwrap_or_else(default_csv),
+        })
     }
 
     /// Whether a view of that name is asked for.
@@ -94,20 +93,42 @@ impl Options {
     }
 }
 
-fn from_environment<T: std::str::FromStr>(name: &str) -> Result<Option<T>, String> {
-    env::var(name).ok().map(|text| number(name, &text)).transpose()
+/// The repository.
+#[must_use]
+pub fn root() -> PathBuf {
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    package.parent().unwrap_or(package).to_owned()
 }
 
-fn number<T: std::str::FromStr>(name: &str, text: &str) -> Result<T, String> {
-    text.parse().map_err(|_| format!("{name}: {text:?} is not such a number"))
+/// A file in cargo's target folder.
+#[must_use]
+pub fn in_target(name: &str) -> PathBuf {
+    env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from).join(name)
+}
+
+/// Where `compare` writes its CSV, unless told otherwise.
+#[must_use]
+pub fn default_csv() -> PathBuf {
+    in_target("halfplane-benches.csv")
+}
+
+fn seconds(text: &str) -> Result<Duration, String> {
+    let seconds = text.parse().map_err(|_| format!("{text:?} is not a number of seconds"))?;
+    Duration::try_from_secs_f64(seconds).map_err(|error| error.to_string())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use clap::CommandFactory;
 
-    fn parse(arguments: &[&str]) -> Result<Options, String> {
+    fn parse(arguments: &[&str]) -> Result<Options, clap::Error> {
         Options::parse(arguments.iter().map(|&a| a.to_owned()))
+    }
+
+    #[test]
+    fn the_definition_is_consistent() {
+        Arguments::command().debug_assert();
     }
 
     #[test]
@@ -116,8 +137,27 @@ mod tests {
         assert_eq!((options.plan.frames, options.plan.warm_up), (50, 5));
         assert!(options.peers.is_none());
         assert!(options.wants("castle main 1280x720") && !options.wants("castle aerial 1280x720"));
-        for wrong in [&["--frames"][..], &["--frames", "x"], &["--what"], &["--seconds", "-1"]] {
+        for wrong in [
+            &["--frames"][..],
+            &["--frames", "x"],
+            &["--frames", "0"],
+            &["--what"],
+            &["--seconds", "-1"],
+            &["--quick", "--full"],
+        ] {
             assert!(parse(wrong).is_err(), "{wrong:?}");
         }
+    }
+
+    #[test]
+    fn the_classic_protocol_is_the_default_and_limits_differ() {
+        let [quick, plain, full] = [&["--quick"][..], &[], &["--full"]].map(|a| parse(a).unwrap());
+        for options in [&plain, &full] {
+            let Plan { warm_up, frames, rounds, .. } = options.plan;
+            assert_eq!(Plan { warm_up, frames, rounds, ..Plan::CLASSIC }, Plan::CLASSIC);
+        }
+        assert_eq!(quick.plan.frames, 30);
+        assert!(quick.plan.limit < plain.plan.limit && plain.plan.limit < full.plan.limit);
+        assert!(plain.peers.unwrap().limit < plain.plan.limit);
     }
 }

@@ -1,12 +1,9 @@
-//! Tables for people and CSV for programs.
+//! Tables for people.
 
 use std::fmt::Write as _;
-use std::fs;
-use std::io;
-use std::path::Path;
 
-use crate::contest::{Kind, Outcome, Row};
-use crate::ours::Level;
+use crate::contest::{Outcome, Row};
+use crate::ours::{self, Level};
 use crate::peers;
 use crate::quoted;
 
@@ -25,7 +22,7 @@ pub fn legend() -> String {
         "All of it is built for the Rust target's own baseline processor; halfplane chooses its level when it runs, \
          and\nRUSTFLAGS=\"-C target-cpu=native\" gives the other crates what the compiler makes of this one.\n",
     );
-    let levels: Vec<&str> = Level::available().into_iter().map(Level::name).collect();
+    let levels: Vec<&str> = ours::available().into_iter().map(Level::name).collect();
     let _ = writeln!(text, "Levels of halfplane on this machine, fastest first: {}.", levels.join(", "));
     text
 }
@@ -90,7 +87,7 @@ fn label(row: &Row) -> String {
 #[must_use]
 pub fn summary(outcomes: &[Outcome]) -> String {
     let mut text = String::from("\n== all views, in clears (minima; still camera)\n");
-    let levels = Level::available();
+    let levels = ours::available();
     let mut columns: Vec<String> = levels.iter().map(|level| format!("halfplane {}", level.name())).collect();
     columns.extend(peers::WHAT.map(|(name, _)| name.to_owned()));
     let view_width = outcomes.iter().map(|outcome| outcome.view.len()).max().unwrap_or(0);
@@ -116,7 +113,7 @@ pub fn summary(outcomes: &[Outcome]) -> String {
 
 fn targets(outcomes: &[Outcome]) -> String {
     let mut text = String::new();
-    let fastest = Level::fastest();
+    let fastest = ours::fastest();
     for outcome in outcomes {
         let (Some(quoted), Some(ours)) = (quoted::of(&outcome.view), outcome.depth_of(fastest)) else {
             continue;
@@ -153,91 +150,21 @@ fn targets(outcomes: &[Outcome]) -> String {
     text
 }
 
-/// Every row of every view, one a line.
-#[must_use]
-pub fn csv(outcomes: &[Outcome]) -> String {
-    let mut text = String::from(
-        "view,width,height,contender,kind,moving,triangles,covered,frames,\
-         min_ms,p25_ms,median_ms,p75_ms,max_ms,mean_ms,sdev_ms,clears\n",
-    );
-    for outcome in outcomes {
-        for row in &outcome.rows {
-            let s = &row.summary;
-            let kind = match row.kind {
-                Kind::Unit | Kind::Limit => "limit",
-                Kind::Ours | Kind::OursVisible => "ours",
-                Kind::Peer | Kind::Peer2d => "peer",
-            };
-            let _ = writeln!(
-                text,
-                "\"{}\",{},{},\"{}\",{kind},{},{},{},{},{:.6},{:.6},{:.6},{:.6},{:.6},{:.6},{:.6},{:.3}",
-                outcome.view,
-                outcome.size.0,
-                outcome.size.1,
-                row.contender,
-                row.moving,
-                row.triangles,
-                row.covered.map_or(String::new(), |covered| covered.to_string()),
-                s.frames,
-                s.min,
-                s.p25,
-                s.median,
-                s.p75,
-                s.max,
-                s.mean,
-                s.sdev,
-                s.min / outcome.clear(),
-            );
-        }
-    }
-    text
-}
-
-/// Writes the CSV, with its folder.
-///
-/// # Errors
-///
-/// What the file system says.
-pub fn write_csv(path: &Path, outcomes: &[Outcome]) -> io::Result<()> {
-    if let Some(folder) = path.parent() {
-        fs::create_dir_all(folder)?;
-    }
-    fs::write(path, csv(outcomes))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::protocol::Summary;
+    use crate::record::tests::outcome;
 
     #[test]
     fn tables_have_every_row() {
-        let row = |contender: &str, kind, min| Row {
-            contender: contender.to_owned(),
-            kind,
-            moving: false,
-            triangles: 10,
-            covered: Some(5),
-            summary: Summary { frames: 3, min, ..Summary::default() },
-        };
-        let ours = format!("halfplane {} depth", Level::available()[0].name());
-        let outcome = Outcome {
-            view: "castle main 1280x720".to_owned(),
-            size: (1280, 720),
-            rows: vec![
-                row("clear", Kind::Unit, 0.5),
-                row(&ours, Kind::Ours, 2.0),
-                row("euc", Kind::Peer, 13.0),
-            ],
-        };
-        let table = table(&outcome);
+        let ours = format!("halfplane {} depth", ours::available()[0].name());
+        let outcomes = [outcome("castle main 1280x720", &ours)];
+        let table = table(&outcomes[0]);
         assert!(
             table.contains("6.5") && table.contains("26.0") && table.contains("quoted, not measured"),
             "{table}"
         );
-        let outcomes = [outcome];
-        assert_eq!(csv(&outcomes).lines().count(), 4);
         let summary = summary(&outcomes);
-        assert!(summary.contains("26.0") && summary.contains("target AVX2"), "{summary}");
+        assert!(summary.contains(" 4.0") && summary.contains("target AVX2"), "{summary}");
     }
 }

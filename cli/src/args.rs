@@ -201,6 +201,17 @@ impl Options {
     }
 }
 
+impl DepthFormat {
+    /// Bits of a depth.
+    #[must_use]
+    pub const fn bits(self) -> u32 {
+        match self {
+            Self::D32 => 32,
+            Self::D16 => 16,
+        }
+    }
+}
+
 impl Attachments {
     /// Its name on the command line.
     #[must_use]

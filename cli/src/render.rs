@@ -2,17 +2,13 @@
 
 use std::fmt;
 
-use halfplane::simd::RowAttachment;
-use halfplane::{
-    Cull, D16, D32, Depth, DepthFormat, DrawError, Region, RegionError, Standard, State, Statistics,
-    StorageError, Winding,
-};
+use halfplane::{Cull, DrawError, Region, RegionError, Standard, State, Statistics, StorageError, Winding};
 
 use crate::args;
 use crate::camera::Matrix;
 use crate::level::Level;
 use crate::mesh::Mesh;
-use crate::target::Target;
+use crate::target::{Attachments, Target};
 
 /// What one picture is drawn with.
 #[derive(Debug, Clone, Copy)]
@@ -86,28 +82,15 @@ pub fn to_clip(mesh: &Mesh, matrix: &Matrix) -> Vec<[f32; 4]> {
 ///
 /// [`RenderError`] where the rasterizer refuses; not for any mesh that was loaded.
 pub fn render(mesh: &Mesh, matrix: &Matrix, settings: &Settings) -> Result<Picture, RenderError> {
-    match settings.depth {
-        args::DepthFormat::D32 => render_as::<D32>(mesh, matrix, settings),
-        args::DepthFormat::D16 => render_as::<D16>(mesh, matrix, settings),
-    }
-}
-
-fn render_as<D: DepthFormat<Standard>>(
-    mesh: &Mesh,
-    matrix: &Matrix,
-    settings: &Settings,
-) -> Result<Picture, RenderError>
-where
-    for<'a> Depth<'a, Standard, D>: RowAttachment,
-{
-    let mut target = Target::<D>::new(mesh, settings, args::Attachments::DepthIds)?;
-    let statistics = target.frame(matrix)?;
+    let attachments = Attachments::of(args::Attachments::DepthIds, settings.depth);
+    let mut target = Target::new(&mesh.positions, &mesh.indices, &settings.state())?;
+    let statistics = target.frame(settings.level, attachments, matrix)?;
     Ok(Picture {
         width: settings.region.width(),
         height: settings.region.height(),
-        bits: D::BITS,
-        depth: target.depth_rows()?,
-        ids: target.id_rows()?,
+        bits: settings.depth.bits(),
+        depth: target.depth_rows(attachments)?,
+        ids: target.id_rows(attachments)?,
         statistics,
     })
 }

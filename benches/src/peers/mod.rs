@@ -77,7 +77,7 @@ pub fn all(view: &View, visible: &Visible) -> Vec<Box<dyn Peer>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ours::{Attachments, Level, Target};
+    use crate::ours::{self, Attachments, Level, drawn};
     use crate::scenes::{growth, micro};
 
     /// Who draws nothing is fast.
@@ -91,8 +91,8 @@ mod tests {
         for view in &views {
             let visible = Visible::new(view);
             let ours = |indices: &[u32]| {
-                let mut target = Target::with_indices(view, indices);
-                target.frame(Level::Scalar, Attachments::Depth32, &view.matrix);
+                let mut target = ours::with_indices(view, indices);
+                drawn(target.frame(Level::FALLBACK, Attachments::Depth32, &view.matrix));
                 target.covered(Attachments::Depth32) as f64
             };
             for mut peer in all(view, &visible) {

@@ -65,7 +65,7 @@ fn height(u: f32, v: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ours::{Attachments, Level, Target};
+    use crate::ours::{self, Attachments, Level, drawn};
 
     #[test]
     fn the_surface_fills_the_picture_however_it_is_cut() {
@@ -73,8 +73,8 @@ mod tests {
             let view = view(count, (320, 180));
             let triangles = view.mesh.triangles() as f64;
             assert!((triangles / f64::from(count) - 1.0).abs() < 0.1, "{triangles} for {count}");
-            let mut target = Target::new(&view);
-            target.frame(Level::Scalar, Attachments::Depth32, &view.matrix);
+            let mut target = ours::target(&view);
+            drawn(target.frame(Level::FALLBACK, Attachments::Depth32, &view.matrix));
             assert_eq!(target.covered(Attachments::Depth32), 320 * 180, "{count}");
         }
     }

@@ -73,6 +73,21 @@ pub fn random(name: &str, count: u32, side: f32, size: (u32, u32)) -> View {
     pixels.view(name)
 }
 
+/// Triangles with two sides of `side` pixels and a right angle between, anywhere in the target, each nearer
+/// than those before it.
+#[must_use]
+pub fn nearer(name: &str, count: u32, side: f32, size: (u32, u32)) -> View {
+    let mut random = Random(0xA24B_AED4_963E_E407);
+    let mut pixels = Pixels::new(size);
+    let (width, height) = pixels.size;
+    for layer in 0..count {
+        let (x, y) = (random.below(width - side), random.below(height - side));
+        let depth = (count - layer) as f32 / (count + 1) as f32;
+        pixels.push([[x, y], [x + side, y], [x, y + side]], [depth; 3]);
+    }
+    pixels.view(name)
+}
+
 /// Triangles up to the target's diagonal long and a tenth of a pixel to 2 pixels thick.
 #[must_use]
 pub fn slivers(name: &str, count: u32, size: (u32, u32)) -> View {
@@ -194,7 +209,7 @@ impl Random {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ours::{Attachments, Level, Target};
+    use crate::ours::{self, Attachments, Level, drawn};
 
     #[test]
     fn every_triangle_faces_the_viewer_and_most_cover_something() {
@@ -204,7 +219,8 @@ mod tests {
             (slivers("test", 300, size), 0.9),
             (fullscreen("test", 5, true, size), 1.0),
         ] {
-            let drawn = Target::new(&view).frame(Level::Scalar, Attachments::Coverage, &view.matrix);
+            let mut target = ours::target(&view);
+            let drawn = drawn(target.frame(Level::FALLBACK, Attachments::Coverage, &view.matrix));
             assert_eq!((drawn.culled.facing, drawn.culled.outside), (0, 0), "{}", view.name);
             assert!(f64::from(drawn.drawn) >= least * f64::from(drawn.submitted), "{drawn}");
         }
@@ -213,8 +229,8 @@ mod tests {
     #[test]
     fn a_fullscreen_triangle_covers_the_target() {
         let view = fullscreen("test", 1, false, (64, 48));
-        let mut target = Target::new(&view);
-        target.frame(Level::Scalar, Attachments::Depth32, &view.matrix);
+        let mut target = ours::target(&view);
+        drawn(target.frame(Level::FALLBACK, Attachments::Depth32, &view.matrix));
         assert_eq!(target.covered(Attachments::Depth32), 64 * 48);
     }
 }

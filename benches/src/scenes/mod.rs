@@ -3,7 +3,9 @@
 pub mod files;
 pub mod growth;
 pub mod micro;
+pub mod pixels;
 
+use std::path::Path;
 use std::sync::Arc;
 
 use halfplane_cli::camera::Matrix;
@@ -26,6 +28,27 @@ pub struct View {
     pub peers: bool,
     /// Whether all attachments and a moving camera are measured, or the fastest depth only.
     pub detail: bool,
+}
+
+/// The view of that name, whatever it is of; nothing else is made or loaded.
+///
+/// # Errors
+///
+/// That there is none, or why its scene cannot be had.
+pub fn named(folder: &Path, name: &str) -> Result<View, String> {
+    let file = files::FILES.into_iter().find(|file| name.starts_with(&format!("{file} ")));
+    let view = if let Some(file) = file {
+        files::from_file(folder, file)?.into_iter().find(|view| view.name == name)
+    } else if let Some(later) = micro::views().into_iter().find(|later| later.name == name) {
+        Some((later.make)(name))
+    } else if let Some(count) = growth::COUNTS.into_iter().find(|&count| growth::name(count) == name) {
+        Some(growth::view(count, micro::SIZE))
+    } else if let Some(samples) = pixels::COUNTS.into_iter().find(|&samples| pixels::name(samples) == name) {
+        Some(pixels::view(samples, micro::SIZE))
+    } else {
+        files::built_in().into_iter().find(|view| view.name == name)
+    };
+    view.ok_or_else(|| format!("there is no view {name:?}"))
 }
 
 impl View {
@@ -53,5 +76,20 @@ impl View {
     #[must_use]
     pub fn pixels(&self) -> usize {
         self.size.0 as usize * self.size.1 as usize
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn views_are_found_by_their_names() {
+        let folder = Path::new("/nowhere");
+        for name in ["growth 10^3", "pixels 10^4", "micro slivers, 1000", "built-in temple 1920x1080"] {
+            assert_eq!(named(folder, name).map(|view| view.name), Ok(name.to_owned()));
+        }
+        assert!(named(folder, "castle main 1280x720").is_err_and(|reason| reason.contains("there is no")));
+        assert!(named(folder, "growth 10^99").is_err());
     }
 }

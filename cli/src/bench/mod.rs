@@ -7,10 +7,9 @@ use std::cell::RefCell;
 use std::hint::black_box;
 use std::time::Duration;
 
-use halfplane::simd::RowAttachment;
-use halfplane::{D16, D32, Depth, DepthFormat, Standard, Statistics};
+use halfplane::Statistics;
 
-use crate::args::{self, Attachments, Bench};
+use crate::args::{Attachments, Bench};
 use crate::camera::Matrix;
 use crate::command::{self, Subject};
 use crate::error::Error;
@@ -18,7 +17,7 @@ use crate::measure::limits::{CLEAR_PIXELS, Limit};
 use crate::measure::motion::Motion;
 use crate::measure::protocol::{Contender, Frame, Plan, Summary, measure};
 use crate::render::Settings;
-use crate::target::Target;
+use crate::target::{self, Stage, Target};
 
 /// What was measured, and of what.
 #[derive(Debug, Clone)]
@@ -71,27 +70,18 @@ pub fn run_bench(arguments: &Bench) -> Result<(), Error> {
     let Bench { picture, json, .. } = arguments;
     let (subject, matrix, settings) =
         command::prepare(picture.file.as_deref(), &picture.options, &mut |_| ())?;
-    let outcome = match settings.depth {
-        args::DepthFormat::D32 => run::<D32>(&subject, &matrix, &settings, arguments)?,
-        args::DepthFormat::D16 => run::<D16>(&subject, &matrix, &settings, arguments)?,
-    };
+    let outcome = run(&subject, &matrix, &settings, arguments)?;
     command::print(&if *json { outcome.json() } else { outcome.table() })
 }
 
-fn run<D: DepthFormat<Standard>>(
-    subject: &Subject,
-    matrix: &Matrix,
-    settings: &Settings,
-    arguments: &Bench,
-) -> Result<Outcome, Error>
-where
-    for<'a> Depth<'a, Standard, D>: RowAttachment,
-{
+fn run(subject: &Subject, matrix: &Matrix, settings: &Settings, arguments: &Bench) -> Result<Outcome, Error> {
     let size = (settings.region.width(), settings.region.height());
     let mesh = &subject.mesh;
-    let mut target = Target::<D>::new(mesh, settings, arguments.attachments)?;
-    let statistics = target.frame(matrix)?;
-    let covered = target.covered();
+    let (level, attachments) =
+        (settings.level, target::Attachments::of(arguments.attachments, settings.depth));
+    let mut target = Target::new(&mesh.positions, &mesh.indices, &settings.state())?;
+    let statistics = target.frame(level, attachments, matrix)?;
+    let covered = target.covered(attachments);
 
     let motion = arguments.moving.then(|| Motion::new(&mesh.positions, matrix, size));
     let target = RefCell::new(target);
@@ -101,11 +91,11 @@ where
         Box::new(|_| limit.borrow_mut().read_modify_write()),
         Box::new(|_| {
             // What it refuses it would have refused above.
-            let _ = black_box(target.borrow_mut().vertices(matrix));
+            let _ = black_box(target.borrow_mut().stage(level, Stage::Transform, matrix));
         }),
         Box::new(|number| {
             let matrix = motion.as_ref().map_or(*matrix, |motion| motion.at(number));
-            let _ = black_box(target.borrow_mut().frame(&matrix));
+            let _ = black_box(target.borrow_mut().frame(level, attachments, &matrix));
         }),
     ];
     let plan = Plan {
@@ -120,9 +110,9 @@ where
     Ok(Outcome {
         scene: subject.name.clone(),
         size,
-        level: settings.level.name(),
+        level: level.name(),
         attachments: arguments.attachments,
-        depth_bits: D::BITS,
+        depth_bits: settings.depth.bits(),
         moving: arguments.moving,
         warm_up: arguments.warm_up,
         vertices: mesh.positions.len(),
