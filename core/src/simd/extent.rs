@@ -13,11 +13,11 @@ pub(super) const SMALL: i32 = 2;
 
 /// Medium ones lie within a window of this many columns and rows of blocks: at most 31 pixels wide, so
 /// that a row is a mask of 32 bits.
-pub(super) const MEDIUM: [i32; 2] = [7, 8];
+pub(super) const MEDIUM: [i32; 2] = [7, 16];
 
 /// Extents of small and medium triangles are below this, in steps: what of them lies outside the
 /// region is not far away either.
-const MEDIUM_EXTENT: i32 = 40 << 8;
+const MEDIUM_EXTENT: i32 = 72 << 8;
 
 /// The constants of a draw's bounds.
 #[derive(Clone, Copy)]
