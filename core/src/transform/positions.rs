@@ -51,6 +51,16 @@ impl<F: Format> Positions<F> for ClipPositions<'_, F> {
     }
 }
 
+/// Whether no component is NaN or infinite.
+#[inline]
+fn are_finite(corners: &[[f32; 4]; 3]) -> bool {
+    let mut above = 0;
+    for v in corners.as_flattened() {
+        above |= u32::from(v.to_bits() << 1 >= f32::INFINITY.to_bits() << 1);
+    }
+    above == 0
+}
+
 /// Emits the window triangles of a clip-space triangle.
 #[inline]
 pub(super) fn assemble<F: Format>(
@@ -59,16 +69,24 @@ pub(super) fn assemble<F: Format>(
     planes: &[Plane; 7],
     mut emit: impl FnMut([Vertex<F>; 3]),
 ) -> Assembly {
-    if !corners.as_flattened().iter().all(|v| v.is_finite()) {
+    if !are_finite(&corners) {
         return Assembly::NonFinite;
     }
-    if Plane::FRUSTUM.into_iter().any(|plane| corners.into_iter().all(|v| plane.excludes(v))) {
+    let [a, b, c] = corners;
+    let (mut all, mut any) = (0, 0);
+    let beside = [Plane::beside_frustum(a), Plane::beside_frustum(b), Plane::beside_frustum(c)];
+    let [a_beside, b_beside, c_beside] = beside;
+    for ((a, b), c) in a_beside.iter().zip(&b_beside).zip(&c_beside) {
+        all |= a & b & c;
+        any |= a | b | c;
+    }
+    if all != 0 {
         return Assembly::Outside;
     }
+    // The guard band lies around the frustum (`Bounds::CLIP_PIXELS`), so what is in there is in here.
     let inside = |v: [f32; 4]| !planes.iter().any(|plane| plane.excludes(v));
-    if corners.into_iter().all(inside) {
-        let [a, b, c] = corners.map(|v| viewport.project(v));
-        return match (a, b, c) {
+    if any == 0 || (inside(a) && inside(b) && inside(c)) {
+        return match (viewport.project(a), viewport.project(b), viewport.project(c)) {
             (Some(a), Some(b), Some(c)) => {
                 emit([a, b, c]);
                 Assembly::Whole
