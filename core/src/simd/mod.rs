@@ -5,7 +5,11 @@
 //! blocks by row of blocks, its edges solved for x. What that cannot do (clipping, large extents) goes
 //! one by one through the same integers as [`draw`](crate::draw()). Whatever the level, the bits are
 //! those of `draw` with [`ModelPositions`](crate::ModelPositions).
+//!
+//! Attachments or depth tests that rows are not written for, and positions of other kinds, take the way of
+//! `draw` itself, with its sixteen lanes in vector registers: [`draw_any`].
 
+mod any;
 mod attachment;
 mod cull;
 mod fetch;
@@ -17,6 +21,7 @@ mod rows;
 mod setup;
 mod vertex;
 
+pub use any::draw_any;
 pub use attachment::RowAttachment;
 pub use level::Level;
 pub use pipeline::{Triangles, draw};

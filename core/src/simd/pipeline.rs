@@ -1,11 +1,12 @@
 //! A whole draw: vertices, culling, set-up, rows.
 
 use super::{
+    any::draw_any,
     attachment::RowAttachment,
     cull::Culling,
     level::Level,
     queue::Queue,
-    rows::{Solved, draw_any, draw_small},
+    rows::{self, Solved, draw_small},
     setup::{Batch, DepthSetup, set_up},
     vertex::{Snapped, stage},
 };
@@ -68,7 +69,7 @@ pub fn draw<I: Index, A: RowAttachment>(
     let triangles = triangles.triangles;
     let (submitted, area) = draw::check_draw(positions, triangles.len(), first_id, state, attachments)?;
     let (Some(level), Some(area), true) = (level.0, area, attachments.fast()) else {
-        return draw::draw(positions, indices, first_id, state, attachments);
+        return draw_any(level, positions, indices, first_id, state, attachments);
     };
     let mut statistics = Statistics { submitted, ..Statistics::default() };
     dispatch!(level, simd => {
@@ -172,6 +173,10 @@ impl<S: Simd> Drawing<'_, S> {
             DepthSetup::D16 => Some(<D16 as DepthFormat<Standard>>::vertex),
         };
         let solved = Solved::from_triangle(&triangle, bounds, vertex);
-        if draw_any(self.simd, &solved, self.area, id, attachments) { Ok(()) } else { Err(Culled::NoSample) }
+        if rows::draw_any(self.simd, &solved, self.area, id, attachments) {
+            Ok(())
+        } else {
+            Err(Culled::NoSample)
+        }
     }
 }

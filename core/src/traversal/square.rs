@@ -1,49 +1,14 @@
 //! A square of pixels with the edges that cross it.
 
-use super::mask::Mask;
-use crate::{
-    geometry::{Edge, Region, Sample, Triangle},
-    lanes::Lanes,
-    numbers::{Format, WideArithmetic},
+use super::{
+    mask::Mask,
+    step::{Step, corner_steps},
 };
-
-/// What a reduced edge value is at a square's first pixel and how it steps, in 32 bits. An edge that
-/// accepts the whole square is dropped: it is the constant 0, which accepts everything.
-#[derive(Clone, Copy)]
-struct Step {
-    value: i32,
-    a: i32,
-    b: i32,
-}
-
-impl Step {
-    const DROPPED: Self = Self { value: 0, a: 0, b: 0 };
-
-    /// The edge over the square of `side` pixels at (x, y): `None` where it rejects the square.
-    #[inline]
-    fn over<F: Format>(edge: Edge<F>, sample: Sample<F>, x: u32, y: u32, side: i32) -> Option<Self> {
-        let value = edge.reduced(sample, x, y);
-        let (a, b) = (edge.a(), edge.b());
-        let (lowest, highest) = corner_steps(a, b, side);
-        let zero = F::Wide::default();
-        if value + F::Wide::from(highest) < zero {
-            None
-        } else if value + F::Wide::from(lowest) >= zero {
-            Some(Self::DROPPED)
-        } else {
-            // The edge crosses the square, which lies in one tile: `Bounds::MAX_TILE_VALUE`.
-            Some(Self { value: value.low32(), a, b })
-        }
-    }
-}
-
-/// What the steps from a square's first pixel to the pixel where an edge is smallest, and to the one
-/// where it is largest, add to it: the trivial-accept and the trivial-reject corner.
-#[inline]
-fn corner_steps(a: i32, b: i32, side: i32) -> (i32, i32) {
-    let last = side - 1;
-    (last * a.min(0) + last * b.min(0), last * a.max(0) + last * b.max(0))
-}
+use crate::{
+    geometry::{Region, Triangle},
+    lanes::Lanes,
+    numbers::Format,
+};
 
 /// An aligned square of `side` pixels (4, 16 or 64) and the three edges over it.
 #[derive(Clone, Copy)]
@@ -59,21 +24,30 @@ impl Square {
     #[inline]
     pub(super) fn new<F: Format>(triangle: &Triangle<F>, x: u32, y: u32, side: u32) -> Option<Self> {
         let [e0, e1, e2] = triangle.edges();
-        let over = |edge| Step::over(edge, triangle.sample(), x, y, side as i32);
-        Some(Self { x, y, side, edges: [over(e0)?, over(e1)?, over(e2)?] })
+        let (sample, at, size) = (triangle.sample(), [x, y], [side as i32; 2]);
+        let (e0, e1) = (Step::over(e0, sample, at, size)?, Step::over(e1, sample, at, size)?);
+        Some(Self { x, y, side, edges: [e0, e1, Step::over(e2, sample, at, size)?] })
     }
 
     /// The inside samples of a square of 4 pixels.
-    #[inline]
-    pub(super) fn samples<L: Lanes>(&self) -> Mask {
-        let [e0, e1, e2] = self.edges.map(|e| L::ramp(e.value, e.a, e.b));
-        Mask(!e0.or(e1).or(e2).signs())
+    #[inline(always)]
+    pub(super) fn samples<L: Lanes>(&self, token: L::Token) -> Mask {
+        let [e0, e1, e2] = self.edges;
+        let lanes = L::ramp(token, e0.value, e0.a, e0.b)
+            .or(L::ramp(token, e1.value, e1.a, e1.b))
+            .or(L::ramp(token, e2.value, e2.a, e2.b));
+        Mask(!lanes.signs())
     }
 
     /// Calls `visit` with each of the sixteen children that lies in `region` and that no edge
     /// rejects, row by row; without edges where they accept the child.
-    #[inline]
-    pub(super) fn children<L: Lanes, F: Format>(&self, region: Region<F>, mut visit: impl FnMut(Self)) {
+    #[inline(always)]
+    pub(super) fn children<L: Lanes, F: Format>(
+        &self,
+        token: L::Token,
+        region: Region<F>,
+        mut visit: impl FnMut(Self),
+    ) {
         let side = self.side >> 2;
         let step = side as i32;
         // Per edge: the children that it rejects, those it accepts, and its values there.
@@ -81,10 +55,10 @@ impl Square {
         let mut accepted = [0; 3];
         let mut values = [[0; 16]; 3];
         for ((edge, accepted), values) in self.edges.iter().zip(&mut accepted).zip(&mut values) {
-            let first = L::ramp(edge.value, step * edge.a, step * edge.b);
-            let (lowest, highest) = corner_steps(edge.a, edge.b, step);
-            rejected |= first.add(L::splat(highest as u32)).signs();
-            *accepted = !first.add(L::splat(lowest as u32)).signs();
+            let first = L::ramp(token, edge.value, step * edge.a, step * edge.b);
+            let (lowest, highest) = corner_steps(edge.a, edge.b, step, step);
+            rejected |= first.add(L::splat(token, highest as u32)).signs();
+            *accepted = !first.add(L::splat(token, lowest as u32)).signs();
             first.store(values);
         }
         let touched = Mask(!rejected).and(self.cells_in(region));
