@@ -50,6 +50,13 @@ impl Plane {
         Self::Bottom(-1.0),
     ];
 
+    /// Whether a vertex is finite and no plane of [`FRUSTUM`](Self::FRUSTUM) excludes it.
+    #[inline]
+    pub(crate) fn frustum_has([x, y, z, w]: [f32; 4]) -> bool {
+        // No branch but at the end. A NaN makes one of these false, and so does an infinity.
+        (x.abs() <= w) & (y.abs() <= w) & (z >= 0.0) & (z <= w) & (w >= MIN_W) & (w <= f32::MAX)
+    }
+
     /// Where a vertex is beside the view frustum: a bit for each plane of [`FRUSTUM`](Self::FRUSTUM) that
     /// [excludes](Self::excludes) it, two to a component.
     #[inline]

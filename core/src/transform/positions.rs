@@ -69,31 +69,42 @@ pub(super) fn assemble<F: Format>(
     planes: &[Plane; 7],
     mut emit: impl FnMut([Vertex<F>; 3]),
 ) -> Assembly {
-    if !are_finite(&corners) {
-        return Assembly::NonFinite;
-    }
     let [a, b, c] = corners;
-    let (mut all, mut any) = (0, 0);
-    let beside = [Plane::beside_frustum(a), Plane::beside_frustum(b), Plane::beside_frustum(c)];
-    let [a_beside, b_beside, c_beside] = beside;
-    for ((a, b), c) in a_beside.iter().zip(&b_beside).zip(&c_beside) {
-        all |= a & b & c;
-        any |= a | b | c;
-    }
-    if all != 0 {
-        return Assembly::Outside;
+    if !(Plane::frustum_has(a) && Plane::frustum_has(b) && Plane::frustum_has(c)) {
+        if !are_finite(&corners) {
+            return Assembly::NonFinite;
+        }
+        let mut all = 0;
+        let beside = Plane::beside_frustum;
+        for ((a, b), c) in beside(a).into_iter().zip(beside(b)).zip(beside(c)) {
+            all |= a & b & c;
+        }
+        if all != 0 {
+            return Assembly::Outside;
+        }
+        let inside = |v: [f32; 4]| !planes.iter().any(|plane| plane.excludes(v));
+        if !(inside(a) && inside(b) && inside(c)) {
+            return assemble_clipped(corners, viewport, planes, emit);
+        }
     }
     // The guard band lies around the frustum (`Bounds::CLIP_PIXELS`), so what is in there is in here.
-    let inside = |v: [f32; 4]| !planes.iter().any(|plane| plane.excludes(v));
-    if any == 0 || (inside(a) && inside(b) && inside(c)) {
-        return match (viewport.project(a), viewport.project(b), viewport.project(c)) {
-            (Some(a), Some(b), Some(c)) => {
-                emit([a, b, c]);
-                Assembly::Whole
-            }
-            _ => Assembly::NonFinite,
-        };
+    match (viewport.project(a), viewport.project(b), viewport.project(c)) {
+        (Some(a), Some(b), Some(c)) => {
+            emit([a, b, c]);
+            Assembly::Whole
+        }
+        _ => Assembly::NonFinite,
     }
+}
+
+/// Emits the pieces of a finite clip-space triangle that reaches outside the planes.
+#[inline(never)]
+fn assemble_clipped<F: Format>(
+    corners: [[f32; 4]; 3],
+    viewport: &Viewport<F>,
+    planes: &[Plane; 7],
+    emit: impl FnMut([Vertex<F>; 3]),
+) -> Assembly {
     let clipped = clip(corners, planes);
     let first = clipped.vertices().first().and_then(|&v| viewport.project(v));
     let Some(mut polygon) = first.map(Polygon::empty) else { return Assembly::Outside };

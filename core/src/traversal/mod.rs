@@ -2,8 +2,8 @@
 
 mod mask;
 mod scan;
-mod square;
 mod step;
+mod tile;
 mod walk;
 
 pub use mask::Mask;

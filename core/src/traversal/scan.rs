@@ -1,14 +1,10 @@
-//! Small rectangles, block by block: most triangles are small, and do not pay for the hierarchy.
+//! A rectangle, block by block.
 
 use super::{
     mask::Mask,
-    step::{Step, corner_steps},
+    step::{InBlock, Step},
 };
-use crate::{
-    geometry::{Region, Triangle},
-    lanes::Lanes,
-    numbers::Format,
-};
+use crate::{geometry::Region, lanes::Lanes, numbers::Format};
 
 /// One edge on its way over the blocks.
 #[derive(Clone, Copy)]
@@ -18,28 +14,24 @@ struct Edge<L> {
     /// What it grows by from block to block, to the right and down.
     right: i32,
     down: i32,
-    /// What its value at a block's trivial-reject corner is above that at the first pixel.
-    highest: i32,
-    /// The same for every pixel of a block.
-    lanes: L,
+    block: InBlock<L>,
 }
 
 impl<L: Lanes> Edge<L> {
     #[inline(always)]
-    fn new(token: L::Token, Step { value, a, b }: Step) -> Self {
-        let (_, highest) = corner_steps(a, b, 4, 4);
-        Self { value, right: 4 * a, down: 4 * b, highest, lanes: L::ramp(token, 0, a, b) }
+    const fn new(block: InBlock<L>, Step { value, a, b }: Step) -> Self {
+        Self { value, right: 4 * a, down: 4 * b, block }
     }
 
     /// Its value at a block's trivial-reject corner, a pixel of the rectangle: it fits, as all do.
     #[inline(always)]
     const fn corner(self) -> i32 {
-        self.value.wrapping_add(self.highest)
+        self.value.wrapping_add(self.block.highest)
     }
 
     #[inline(always)]
     fn samples(self, token: L::Token) -> L {
-        self.lanes.add(L::splat(token, self.value as u32))
+        self.block.lanes.add(L::splat(token, self.value as u32))
     }
 
     /// The edge one block to the right. What is beyond the rectangle may have wrapped, and is not used.
@@ -55,42 +47,35 @@ impl<L: Lanes> Edge<L> {
     }
 }
 
-/// Visits the blocks of `bounds`, at most 64 x 64 pixels when rounded out to whole blocks, in which the
-/// triangle covers a sample of `region`, row by row. Whether there was any.
+/// Visits the blocks of a rectangle of whole blocks in which all edges have a sample, row by row; `cut` is
+/// the region that samples must lie in, where the rectangle is not all inside it. Whether there was any.
 #[inline(always)]
 pub(super) fn scan<L: Lanes, F: Format>(
     token: L::Token,
-    triangle: &Triangle<F>,
-    region: Region<F>,
-    bounds: Region<F>,
+    [block0, block1, block2]: [InBlock<L>; 3],
+    steps: [Step; 3],
+    rectangle: Region<F>,
+    cut: Option<Region<F>>,
     mut visit: impl FnMut(u32, u32, Mask),
 ) -> bool {
-    let blocks = bounds.blocks();
-    // No sample beside the bounds is covered, so blocks of the region need no mask of it.
-    let whole = region.contains(blocks);
-    let [e0, e1, e2] = triangle.edges();
-    let sample = triangle.sample();
-    let (origin, size) = ([blocks.x0(), blocks.y0()], [blocks.width() as i32, blocks.height() as i32]);
-    let (Some(e0), Some(e1), Some(e2)) = (
-        Step::over(e0, sample, origin, size),
-        Step::over(e1, sample, origin, size),
-        Step::over(e2, sample, origin, size),
-    ) else {
-        return false;
-    };
+    let accepted = steps == [Step::DROPPED; 3];
+    let [step0, step1, step2] = steps;
     let (mut row0, mut row1, mut row2) =
-        (Edge::<L>::new(token, e0), Edge::<L>::new(token, e1), Edge::<L>::new(token, e2));
+        (Edge::new(block0, step0), Edge::new(block1, step1), Edge::new(block2, step2));
     let mut any = false;
-    let mut y = blocks.y0();
-    while y < blocks.y1() {
+    let mut y = rectangle.y0();
+    while y < rectangle.y1() {
         let (mut e0, mut e1, mut e2) = (row0, row1, row2);
-        let mut x = blocks.x0();
-        while x < blocks.x1() {
+        let mut x = rectangle.x0();
+        while x < rectangle.x1() {
             if e0.corner() | e1.corner() | e2.corner() >= 0 {
-                let outside = e0.samples(token).or(e1.samples(token)).or(e2.samples(token)).signs();
-                let mut mask = Mask(!outside);
-                if !whole {
-                    mask = mask.and(Mask::of_block(bounds, x, y));
+                let mut mask = Mask::FULL;
+                if !accepted {
+                    let outside = e0.samples(token).or(e1.samples(token)).or(e2.samples(token)).signs();
+                    mask = Mask(!outside);
+                }
+                if let Some(region) = cut {
+                    mask = mask.and(Mask::of_block(region, x, y));
                 }
                 if !mask.is_empty() {
                     any = true;

@@ -1,16 +1,20 @@
-//! The way over a triangle's bounds: small ones block by block, large ones by the hierarchy of tiles of
-//! 64x64 pixels, squares of 16x16, blocks of 4x4.
+//! The way over a triangle's bounds: small ones block by block, large ones by tiles of 64x64 pixels and
+//! their squares of 16x16, those again block by block.
 
-use super::{mask::Mask, scan::scan, square::Square};
+use super::{
+    mask::Mask,
+    scan::scan,
+    step::{InBlock, Step},
+    tile::{TILE, squares},
+};
 use crate::{
     geometry::{Region, Triangle},
     lanes::{ArrayLanes, Lanes},
     numbers::Format,
 };
 
-const TILE: u32 = 64;
-
-/// Bounds of at most so many pixels in width and in height, rounded out to whole blocks, are small.
+/// Bounds of at most so many pixels in width and in height, rounded out to whole blocks, are small: most
+/// triangles are, and do not pay for tiles. Not more than a tile, so that 32 bits are enough.
 const SMALL: u32 = 32;
 
 /// Visits the 4x4 blocks of `region` in which the triangle covers a sample, each once, with the
@@ -49,35 +53,26 @@ pub(crate) fn walk<L: Lanes, F: Format>(
     mut visit: impl FnMut(u32, u32, Mask),
 ) -> bool {
     let blocks = bounds.blocks();
+    // No sample beside the bounds is covered, so blocks that are all in the region need no cutting.
+    let cut = if region.contains(blocks) { None } else { Some(bounds) };
     if blocks.width() <= SMALL && blocks.height() <= SMALL {
-        return scan::<L, F>(token, triangle, region, bounds, visit);
+        let Some(steps) = Step::all(triangle, blocks) else { return false };
+        return scan::<L, F>(token, InBlock::all(token, triangle), steps, blocks, cut, visit);
     }
+    let in_block = InBlock::<L>::all(token, triangle);
     let mut any = false;
     let mut y = bounds.y0() & !(TILE - 1);
     while y < bounds.y1() {
         let mut x = bounds.x0() & !(TILE - 1);
         while x < bounds.x1() {
-            if let Some(tile) = Square::new(triangle, x, y, TILE) {
-                tile.children::<L, F>(
-                    token,
-                    bounds,
-                    #[inline(always)]
-                    |square| {
-                        square.children::<L, F>(
-                            token,
-                            bounds,
-                            #[inline(always)]
-                            |block| {
-                                let mask = block.samples::<L>(token).and(block.cells_in(bounds));
-                                if !mask.is_empty() {
-                                    any = true;
-                                    visit(block.x, block.y, mask);
-                                }
-                            },
-                        );
-                    },
-                );
-            }
+            squares::<L, F>(
+                token,
+                triangle,
+                blocks,
+                [x, y],
+                #[inline(always)]
+                |square, steps| any |= scan::<L, F>(token, in_block, steps, square, cut, &mut visit),
+            );
             x += TILE;
         }
         y += TILE;
