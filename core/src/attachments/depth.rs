@@ -169,7 +169,8 @@ impl<F: Format, D: DepthFormat<F>> Attachment<F> for Depth<'_, F, D> {
         Mask(L::bits(mask))
     }
 
-    #[inline]
+    // Once for each triangle: one copy of the divisions is enough.
+    #[inline(never)]
     fn begin(&mut self, triangle: &Triangle<F>) {
         let plane = Plane::new(triangle, D::vertex);
         let offsets = plane.offsets(D::BITS);

@@ -54,7 +54,7 @@ impl Plane {
     #[inline]
     pub(crate) fn frustum_has([x, y, z, w]: [f32; 4]) -> bool {
         // No branch but at the end. A NaN makes one of these false, and so does an infinity.
-        (x.abs() <= w) & (y.abs() <= w) & (z >= 0.0) & (z <= w) & (w >= MIN_W) & (w <= f32::MAX)
+        (x.abs() <= w) & (y.abs() <= w) & (z >= 0.0) & (z <= w) & (MIN_W..=f32::MAX).contains(&w)
     }
 
     /// Where a vertex is beside the view frustum: a bit for each plane of [`FRUSTUM`](Self::FRUSTUM) that

@@ -78,7 +78,7 @@ impl<F: Format, P: Positions<F> + ?Sized, I: Index> Scene<'_, F, P, I> {
     fn is_the_one_of_arrays<D: DepthFormat<F>>(&self, befores: [D::Texel; 3]) -> Result<Statistics, Failure> {
         let mut statistics = Statistics::default();
         for (number, compare) in COMPARES.into_iter().enumerate() {
-            let write = (self.contents as usize + number) % 3 != 0;
+            let write = !(self.contents as usize + number).is_multiple_of(3);
             let before = befores[(self.contents as usize / 3 + number) % 3];
             let test = DepthTest { compare, write };
             let expected = self.picture::<D>(None, test, before)?;
@@ -105,7 +105,7 @@ pub fn frame_is_the_one_of_arrays(case: &Case) -> Result<Statistics, Failure> {
         first_id: case.first_id,
         contents: case.contents,
     };
-    if case.attachments % 2 == 0 {
+    if case.attachments.is_multiple_of(2) {
         scene.is_the_one_of_arrays::<D32>([u32::MAX, 0, 1 << 31])
     } else {
         scene.is_the_one_of_arrays::<D16>([u16::MAX, 0, 1 << 15])
