@@ -41,7 +41,7 @@
 //! or hand a whole mesh to [`draw()`].
 //!
 //! With the feature `simd`, `simd::draw` stands above them all and draws the same bits from vector
-//! registers.
+//! registers; `simd::draw_any` takes whatever `draw` takes.
 //!
 //! # Features
 //!

@@ -56,6 +56,10 @@ table! {
     NUMBERS = 100_000;
     /// Lane operations.
     LANES = 3_000;
+    /// Whole frames drawn by the definition path at every vector level.
+    LEVEL_FRAME = 500;
+    /// The same for window vertices of the small format.
+    LEVEL_SMALL = 200;
     /// Whole frames at every vector level.
     SIMD_FRAME = 2_500;
     /// Whole frames of more triangles than are collected at a time.

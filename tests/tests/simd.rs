@@ -18,30 +18,30 @@ use halfplane_tests::{
 use proptest::{array, collection::vec, prelude::*};
 use std::cell::Cell;
 
-fn triangles(count: std::ops::RangeInclusive<usize>) -> impl Strategy<Value = Vec<Numbers>> {
+pub(crate) fn triangles(count: std::ops::RangeInclusive<usize>) -> impl Strategy<Value = Vec<Numbers>> {
     vec((any::<u32>(), array::uniform8(any::<u32>()), array::uniform4(any::<u32>())), count)
 }
 
 /// What became of the triangles of all cases: a test that draws nothing finds nothing.
 #[derive(Default)]
-struct Met(Cell<Statistics>);
+pub(crate) struct Met(Cell<Statistics>);
 
 impl Met {
-    fn count(&self, statistics: Statistics) {
+    pub(crate) fn count(&self, statistics: Statistics) {
         let mut sum = self.0.get();
         sum += statistics;
         self.0.set(sum);
     }
 
     /// One in so many triangles is drawn.
-    fn assert_drawn(&self, one_in: u32) {
+    pub(crate) fn assert_drawn(&self, one_in: u32) {
         let statistics = self.0.get();
         println!("{statistics}");
         assert!(statistics.drawn >= statistics.submitted / one_in, "{statistics}");
     }
 
     /// Each fate is met, often.
-    fn assert_all(&self) {
+    pub(crate) fn assert_all(&self) {
         self.assert_drawn(5);
         let Statistics { submitted, culled, rejected, clipped, .. } = self.0.get();
         let CulledCounts { facing, zero_area, no_sample, outside } = culled;

@@ -126,14 +126,14 @@ impl<'a, F: Format, D: DepthFormat<F>> Depth<'a, F, D> {
 
 impl Compare {
     /// The lanes in which `new` passes against `stored`.
-    #[inline]
-    fn passes<L: Lanes>(self, new: L, stored: L) -> u16 {
+    #[inline(always)]
+    fn passes<L: Lanes>(self, token: L::Token, new: L, stored: L) -> L::Mask {
         match self {
             Self::Less => new.less(stored),
-            Self::LessEqual => !stored.less(new),
+            Self::LessEqual => L::not(stored.less(new)),
             Self::Greater => stored.less(new),
-            Self::GreaterEqual => !new.less(stored),
-            Self::Always => 0xFFFF,
+            Self::GreaterEqual => L::not(new.less(stored)),
+            Self::Always => L::mask(token, Mask::FULL.0),
         }
     }
 }
@@ -141,22 +141,36 @@ impl Compare {
 impl<F: Format, D: DepthFormat<F>> Attachment<F> for Depth<'_, F, D> {
     #[inline]
     fn block(&mut self, block: &Block<'_, F>) -> Mask {
+        self.block_with::<ArrayLanes>((), block)
+    }
+
+    #[inline(always)]
+    fn block_with<L: Lanes>(&mut self, token: L::Token, block: &Block<'_, F>) -> Mask {
         let (Some((plane, offsets)), Some(texels)) = (&self.plane, self.texels.block_mut(block.x, block.y))
         else {
             return Mask::EMPTY;
         };
         let base = plane.at(block.x, block.y).rounded(D::BITS);
-        let range = ArrayLanes::splat(u32::MAX >> (32 - D::BITS));
-        let depths = ArrayLanes::load(offsets).add(ArrayLanes::splat(base)).and(range);
-        let stored: ArrayLanes = D::load(texels);
-        let mask = self.test.compare.passes(depths, stored) & block.mask.0;
-        if self.test.write && mask != 0 {
+        let range = L::splat(token, u32::MAX >> (32 - D::BITS));
+        let depths = L::load(token, offsets).add(L::splat(token, base)).and(range);
+        let stored: L = D::load(token, texels);
+        let covered = L::mask(token, block.mask.0);
+        // The usual test by itself, so that the choice between the others costs it nothing.
+        if self.test == DepthTest::LESS {
+            let mask = L::both(depths.less(stored), covered);
+            D::store(depths.select(stored, mask), texels);
+            return Mask(L::bits(mask));
+        }
+        let passing = self.test.compare.passes::<L>(token, depths, stored);
+        let mask = L::both(passing, covered);
+        if self.test.write {
             D::store(depths.select(stored, mask), texels);
         }
-        Mask(mask)
+        Mask(L::bits(mask))
     }
 
-    #[inline]
+    // Once for each triangle: one copy of the divisions is enough.
+    #[inline(never)]
     fn begin(&mut self, triangle: &Triangle<F>) {
         let plane = Plane::new(triangle, D::vertex);
         let offsets = plane.offsets(D::BITS);

@@ -27,7 +27,7 @@ pub trait DepthFormat<F: Format>: sealed::Sealed + Copy + Debug + Default + 'sta
     fn vertex(depth: u32) -> u32;
 
     /// A block's texels.
-    fn load<L: Lanes>(texels: &[Self::Texel; 16]) -> L;
+    fn load<L: Lanes>(token: L::Token, texels: &[Self::Texel; 16]) -> L;
 
     /// Writes a block's texels.
     fn store<L: Lanes>(lanes: L, texels: &mut [Self::Texel; 16]);
@@ -49,12 +49,12 @@ impl<F: Format<Word = u64>> DepthFormat<F> for D32 {
         depth
     }
 
-    #[inline]
-    fn load<L: Lanes>(texels: &[u32; 16]) -> L {
-        L::load(texels)
+    #[inline(always)]
+    fn load<L: Lanes>(token: L::Token, texels: &[u32; 16]) -> L {
+        L::load(token, texels)
     }
 
-    #[inline]
+    #[inline(always)]
     fn store<L: Lanes>(lanes: L, texels: &mut [u32; 16]) {
         lanes.store(texels);
     }
@@ -76,15 +76,21 @@ impl<F: Format> DepthFormat<F> for D16 {
         unorm16(depth).clamp(DEPTH16_MIN, DEPTH16_MAX) << (F::Word::HALF_BITS - 16)
     }
 
-    #[inline]
-    fn load<L: Lanes>(texels: &[u16; 16]) -> L {
-        L::load(&texels.map(u32::from))
+    #[inline(always)]
+    fn load<L: Lanes>(token: L::Token, texels: &[u16; 16]) -> L {
+        let mut values = [0; 16];
+        for (value, texel) in values.iter_mut().zip(texels) {
+            *value = u32::from(*texel);
+        }
+        L::load(token, &values)
     }
 
-    #[inline]
+    #[inline(always)]
     fn store<L: Lanes>(lanes: L, texels: &mut [u16; 16]) {
         let mut values = [0; 16];
         lanes.store(&mut values);
-        *texels = values.map(|value| value as u16);
+        for (texel, value) in texels.iter_mut().zip(&values) {
+            *texel = *value as u16;
+        }
     }
 }

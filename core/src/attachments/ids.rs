@@ -70,9 +70,14 @@ impl<'a, F: Format> Ids<'a, F> {
 impl<F: Format> Attachment<F> for Ids<'_, F> {
     #[inline]
     fn block(&mut self, block: &Block<'_, F>) -> Mask {
+        self.block_with::<ArrayLanes>((), block)
+    }
+
+    #[inline(always)]
+    fn block_with<L: Lanes>(&mut self, token: L::Token, block: &Block<'_, F>) -> Mask {
         let Some(texels) = self.texels.block_mut(block.x, block.y) else { return Mask::EMPTY };
-        let stored = ArrayLanes::load(texels);
-        ArrayLanes::splat(block.id).select(stored, block.mask.0).store(texels);
+        let stored = L::load(token, texels);
+        L::splat(token, block.id).select(stored, L::mask(token, block.mask.0)).store(texels);
         block.mask
     }
 

@@ -20,6 +20,7 @@ pub use storage::{StorageError, Tiled, blocks, texels};
 
 use crate::{
     geometry::{Region, Triangle},
+    lanes::{ArrayLanes, Lanes},
     numbers::Format,
     traversal::Mask,
 };
@@ -62,6 +63,16 @@ pub struct Block<'t, F: Format> {
 pub trait Attachment<F: Format> {
     /// Takes one block; returns which of its samples later attachments are to see.
     fn block(&mut self, block: &Block<'_, F>) -> Mask;
+
+    /// [`block`](Self::block) with other lanes; the same result. Default: calls it.
+    #[inline(always)]
+    fn block_with<L: Lanes>(&mut self, token: L::Token, block: &Block<'_, F>) -> Mask
+    where
+        Self: Sized,
+    {
+        let _ = token;
+        self.block(block)
+    }
 
     /// Called before the blocks of each triangle, with what stays the same in all of them.
     #[inline]
@@ -132,6 +143,11 @@ impl<F: Format, A: Attachment<F>> Attachment<F> for &mut A {
         (**self).block(block)
     }
 
+    #[inline(always)]
+    fn block_with<L: Lanes>(&mut self, token: L::Token, block: &Block<'_, F>) -> Mask {
+        (**self).block_with::<L>(token, block)
+    }
+
     #[inline]
     fn begin(&mut self, triangle: &Triangle<F>) {
         (**self).begin(triangle);
@@ -146,11 +162,16 @@ impl<F: Format, A: Attachment<F>> Attachment<F> for &mut A {
 impl<F: Format, A: Attachment<F>, B: Attachment<F>> Attachment<F> for (A, B) {
     #[inline]
     fn block(&mut self, block: &Block<'_, F>) -> Mask {
-        let mask = self.0.block(block).and(block.mask);
+        self.block_with::<ArrayLanes>((), block)
+    }
+
+    #[inline(always)]
+    fn block_with<L: Lanes>(&mut self, token: L::Token, block: &Block<'_, F>) -> Mask {
+        let mask = self.0.block_with::<L>(token, block).and(block.mask);
         if mask.is_empty() {
             return mask;
         }
-        self.1.block(&Block { mask, ..*block })
+        self.1.block_with::<L>(token, &Block { mask, ..*block })
     }
 
     #[inline]
@@ -172,6 +193,12 @@ impl<F: Format, A: Attachment<F>, B: Attachment<F>, C: Attachment<F>> Attachment
     fn block(&mut self, block: &Block<'_, F>) -> Mask {
         let (a, b, c) = self;
         (a, (b, c)).block(block)
+    }
+
+    #[inline(always)]
+    fn block_with<L: Lanes>(&mut self, token: L::Token, block: &Block<'_, F>) -> Mask {
+        let (a, b, c) = self;
+        (a, (b, c)).block_with::<L>(token, block)
     }
 
     #[inline]

@@ -12,9 +12,10 @@ pub use statistics::{CulledCounts, RejectedCounts, Statistics};
 
 use crate::{
     attachments::{Attachment, Block},
-    geometry::{Culled, Positions, Region, Triangle, Vertex, is_outside},
+    geometry::{Culled, Extent, Positions, Region, Triangle, Vertex, winding},
+    lanes::{ArrayLanes, Lanes},
     numbers::Format,
-    traversal::{Mask, traverse},
+    traversal::walk,
 };
 
 /// Draws triangles: three indices each, in order, triangle n of the list with id `first_id + n`.
@@ -37,6 +38,25 @@ where
     I: Index,
     A: Attachment<F>,
 {
+    draw_with::<ArrayLanes, F, P, I, A>((), positions, indices, first_id, state, attachments)
+}
+
+/// [`draw`] with other lanes; the same pixels and statistics.
+pub(crate) fn draw_with<L, F, P, I, A>(
+    token: L::Token,
+    positions: &P,
+    indices: &[I],
+    first_id: u32,
+    state: &State<F>,
+    attachments: &mut A,
+) -> Result<Statistics, DrawError>
+where
+    L: Lanes,
+    F: Format,
+    P: Positions<F> + ?Sized,
+    I: Index,
+    A: Attachment<F>,
+{
     let triangles = check_indices(indices, positions.count())?;
     let (submitted, area) = check_draw(positions, triangles.len(), first_id, state, attachments)?;
     let mut statistics = Statistics { submitted, ..Statistics::default() };
@@ -44,7 +64,7 @@ where
         let mut outcome = None;
         let assembly = positions.assemble(corners.map(Index::to_usize), |vertices| {
             let piece = match area {
-                Some(area) => draw_one(vertices, area, state, id, attachments),
+                Some(area) => draw_one::<L, F, A>(token, &vertices, area, state, id, attachments),
                 None => Err(Culled::Outside),
             };
             // A triangle in several pieces is drawn if one of them is.
@@ -98,41 +118,71 @@ where
     Ok((submitted, area))
 }
 
+/// The pixels that a window triangle may cover; first what costs least to find out.
+#[inline(always)]
+fn bounds<F: Format>(
+    vertices: [Vertex<F>; 3],
+    area: Region<F>,
+    state: &State<F>,
+) -> Result<Region<F>, Culled> {
+    let extent = Extent::of(vertices);
+    if extent.is_outside(area) {
+        return Err(Culled::Outside);
+    }
+    match winding(vertices) {
+        None => Err(Culled::ZeroArea),
+        Some(winding) if state.cull.culls(winding, state.front) => Err(Culled::Facing),
+        Some(_) => extent.bounds(state.sample, area),
+    }
+}
+
 /// Sets up one window triangle; the pixels it may cover.
+#[cfg(feature = "simd")]
 #[inline]
 pub(crate) fn prepare<F: Format>(
     vertices: [Vertex<F>; 3],
     area: Region<F>,
     state: &State<F>,
 ) -> Result<(Triangle<F>, Region<F>), Culled> {
-    if is_outside(vertices, area) {
-        return Err(Culled::Outside);
-    }
+    let bounds = bounds(vertices, area, state)?;
     let triangle = Triangle::new(vertices, state.sample).ok_or(Culled::ZeroArea)?;
-    if state.cull.culls(triangle.winding(), state.front) {
-        return Err(Culled::Facing);
-    }
-    let bounds = triangle.bounds(area)?;
     Ok((triangle, bounds))
 }
 
 /// Sets up one window triangle and hands its blocks to the attachments.
-#[inline]
-fn draw_one<F: Format, A: Attachment<F>>(
-    vertices: [Vertex<F>; 3],
+///
+/// Never inlined: all pieces of all triangles come through one copy of it.
+#[inline(never)]
+fn draw_one<L: Lanes, F: Format, A: Attachment<F>>(
+    token: L::Token,
+    vertices: &[Vertex<F>; 3],
     area: Region<F>,
     state: &State<F>,
     id: u32,
     attachments: &mut A,
 ) -> Result<(), Culled> {
-    let (triangle, bounds) = prepare(vertices, area, state)?;
-    let mut begun = false;
-    let mut visit = |x: u32, y: u32, mask: Mask| {
-        if !begun {
-            begun = true;
-            attachments.begin(&triangle);
-        }
-        attachments.block(&Block { x, y, mask, triangle: &triangle, id });
-    };
-    if traverse(&triangle, bounds, &mut visit) { Ok(()) } else { Err(Culled::NoSample) }
+    L::vectorize(
+        token,
+        #[inline(always)]
+        || {
+            let bounds = bounds(*vertices, area, state)?;
+            let triangle = Triangle::new(*vertices, state.sample).ok_or(Culled::ZeroArea)?;
+            let mut begun = false;
+            let drawn = walk::<L, F>(
+                token,
+                &triangle,
+                area,
+                bounds,
+                #[inline(always)]
+                |x, y, mask| {
+                    if !begun {
+                        begun = true;
+                        attachments.begin(&triangle);
+                    }
+                    attachments.block_with::<L>(token, &Block { x, y, mask, triangle: &triangle, id });
+                },
+            );
+            if drawn { Ok(()) } else { Err(Culled::NoSample) }
+        },
+    )
 }

@@ -43,7 +43,8 @@ impl<F: Format> Edge<F> {
     #[inline]
     #[must_use]
     pub const fn is_top_left(self) -> bool {
-        self.a > 0 || (self.a == 0 && self.b > 0)
+        // Without a branch: nothing foretells which edges are.
+        (self.a > 0) | ((self.a == 0) & (self.b > 0))
     }
 
     /// E at the sample of a pixel within the largest target, in steps².

@@ -1,7 +1,7 @@
 //! The depth plane of a triangle, in fixed point modulo the depth's range.
 
 use super::{sample::Sample, triangle::Triangle};
-use crate::numbers::{Format, WordArithmetic};
+use crate::numbers::{Bounds, Format, WordArithmetic};
 
 /// The depth of a triangle as a plane over the window: a word of H.H fixed point
 /// ([`Word::HALF_BITS`](crate::numbers::Word::HALF_BITS)), modulo 2^H.
@@ -56,10 +56,21 @@ impl<F: Format> Plane<F> {
     /// first one, row by row.
     #[inline]
     pub(crate) fn offsets(&self, bits: u32) -> [u32; 16] {
-        let zero = F::Word::default();
-        core::array::from_fn(|lane| {
-            let (column, row) = ((lane & 3) as i32, (lane >> 2) as i32);
-            zero.step(self.x, column << F::SUBPIXEL_BITS).step(self.y, row << F::SUBPIXEL_BITS).rounded(bits)
-        })
+        let mut offsets = [0; 16];
+        let mut row = F::Word::default();
+        let (right, down) =
+            (row.step(self.x, Bounds::<F>::STEPS_PER_PIXEL), row.step(self.y, Bounds::<F>::STEPS_PER_PIXEL));
+        for lanes in offsets.as_chunks_mut::<4>().0 {
+            let second = row.plus(right);
+            let third = second.plus(right);
+            *lanes = [
+                row.rounded(bits),
+                second.rounded(bits),
+                third.rounded(bits),
+                third.plus(right).rounded(bits),
+            ];
+            row = row.plus(down);
+        }
+        offsets
     }
 }

@@ -119,10 +119,29 @@ impl<F: Format> Region<F> {
         self.x0 <= other.x0 && self.y0 <= other.y0 && other.x1 <= self.x1 && other.y1 <= self.y1
     }
 
+    /// The pixels of the region that are in `x0..x1` and `y0..y1`; `None` where there are none.
+    #[inline]
+    pub(crate) fn cut(self, x0: u32, y0: u32, x1: u32, y1: u32) -> Option<Self> {
+        let (x0, x1) = (x0.max(self.x0), x1.min(self.x1));
+        let (y0, y1) = (y0.max(self.y0), y1.min(self.y1));
+        ((x0 < x1) & (y0 < y1)).then_some(Self { x0, y0, x1, y1, format: PhantomData })
+    }
+
+    /// The 4x4 blocks that the region touches, as pixels: its ends rounded outwards to multiples of 4.
+    #[inline]
+    pub(crate) const fn blocks(self) -> Self {
+        Self {
+            x0: self.x0 & !3,
+            y0: self.y0 & !3,
+            x1: (self.x1 + 3) & !3,
+            y1: (self.y1 + 3) & !3,
+            format: PhantomData,
+        }
+    }
+
     /// The pixels in both regions; `None` where there are none.
     #[must_use]
     pub fn intersect(self, other: Self) -> Option<Self> {
-        Self::new(self.x0.max(other.x0), self.y0.max(other.y0), self.x1.min(other.x1), self.y1.min(other.y1))
-            .ok()
+        self.cut(other.x0, other.y0, other.x1, other.y1)
     }
 }

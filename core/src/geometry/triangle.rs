@@ -2,12 +2,14 @@
 
 use super::{
     edge::Edge,
+    extent::Extent,
     facing::{Culled, Winding},
     region::Region,
     sample::Sample,
     vertex::Vertex,
 };
 use crate::numbers::{Bounds, Format, WideArithmetic};
+use core::cmp::Ordering;
 
 /// Twice the signed area of the triangle (a, b, c), in steps²: positive where it is clockwise on the
 /// screen.
@@ -17,15 +19,22 @@ pub fn doubled_area<F: Format>([a, b, c]: [Vertex<F>; 3]) -> F::Wide {
     F::Wide::product(b.x() - a.x(), c.y() - a.y()) - F::Wide::product(c.x() - a.x(), b.y() - a.y())
 }
 
+/// The winding of three vertices as given; `None` where their area is 0.
+#[inline]
+#[must_use]
+pub(crate) fn winding<F: Format>(vertices: [Vertex<F>; 3]) -> Option<Winding> {
+    match doubled_area(vertices).cmp(&F::Wide::default()) {
+        Ordering::Greater => Some(Winding::Clockwise),
+        Ordering::Less => Some(Winding::CounterClockwise),
+        Ordering::Equal => None,
+    }
+}
+
 /// Whether the extent of three vertices does not reach into a region.
 #[inline]
 #[must_use]
-pub fn is_outside<F: Format>([a, b, c]: [Vertex<F>; 3], region: Region<F>) -> bool {
-    let corner = |pixel: u32| (pixel as i32) << F::SUBPIXEL_BITS;
-    a.x().max(b.x()).max(c.x()) <= corner(region.x0())
-        || a.x().min(b.x()).min(c.x()) >= corner(region.x1())
-        || a.y().max(b.y()).max(c.y()) <= corner(region.y0())
-        || a.y().min(b.y()).min(c.y()) >= corner(region.y1())
+pub fn is_outside<F: Format>(vertices: [Vertex<F>; 3], region: Region<F>) -> bool {
+    Extent::of(vertices).is_outside(region)
 }
 
 /// A triangle with an area, set up for one sample position.
@@ -146,22 +155,10 @@ impl<F: Format> Triangle<F> {
     /// [`Culled::NoSample`] where it lies between the samples.
     #[inline]
     pub fn bounds(&self, region: Region<F>) -> Result<Region<F>, Culled> {
-        let [a, b, c] = self.vertices;
-        let (left, right) = (a.x().min(b.x()).min(c.x()), a.x().max(b.x()).max(c.x()));
-        // The first vertex in canonical order is the top one.
-        let (top, bottom) = (a.y(), b.y().max(c.y()));
-        if is_outside(self.vertices, region) {
+        let extent = Extent::of(self.vertices);
+        if extent.is_outside(region) {
             return Err(Culled::Outside);
         }
-        let (x0, x1) = self.sample.columns(left, right);
-        let (y0, y1) = self.sample.rows(top, bottom);
-        let pixel = |v: i32| v.max(0) as u32;
-        Region::new(
-            pixel(x0).max(region.x0()),
-            pixel(y0).max(region.y0()),
-            pixel(x1).min(region.x1()),
-            pixel(y1).min(region.y1()),
-        )
-        .map_err(|_| Culled::NoSample)
+        extent.bounds(self.sample, region)
     }
 }

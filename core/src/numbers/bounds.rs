@@ -15,6 +15,7 @@ use core::marker::PhantomData;
 /// | edge deltas A, B | `MAX_DELTA` | 2^24 | 2^15 |
 /// | edge value E, doubled area D | `MAX_AREA` | 2^48 | 2^30 |
 /// | edge value at a pixel of a tile that the edge crosses | `MAX_TILE_VALUE` | < 2^31 | < 2^31 |
+/// | steps of an edge value within a block | `MAX_BLOCK_STEPS` | < 2^27 | < 2^18 |
 /// | numerator of a depth gradient | `MAX_NUMERATOR` | 2^57 | 2^32 |
 ///
 /// An edge value E(p) = A (px - xa) + B (py - ya) is twice the signed area of the triangle (a, b, p).
@@ -36,6 +37,8 @@ impl<F: Format> Bounds<F> {
     /// Largest magnitude of a reduced edge value at a pixel of a 64x64 tile that the edge crosses:
     /// the value changes its sign within the tile, and 63 steps each way are all there is.
     pub const MAX_TILE_VALUE: i128 = 63 * 2 * (Self::MAX_DELTA as i128);
+    /// Largest magnitude of what an edge value's steps from a 4x4 block's first pixel to another add up to.
+    pub const MAX_BLOCK_STEPS: i128 = 3 * 2 * (Self::MAX_DELTA as i128);
     /// Largest magnitude of a depth gradient's numerator, in steps times depth units.
     pub const MAX_NUMERATOR: i128 = 2 * (Self::MAX_DELTA as i128) * ((1 << F::Word::HALF_BITS) - 1);
     /// The farthest from 0 that clipping leaves a vertex, in pixels: 31/32 of the guard band. The
@@ -57,6 +60,7 @@ impl<F: Format> Bounds<F> {
         assert!(F::MAX_TARGET as i64 <= Self::CLIP_PIXELS as i64, "the target lies inside the clip square");
         assert!(Self::MAX_AREA < <F::Wide as Wide>::MAX, "edge values, areas and their bias fit Wide");
         assert!(Self::MAX_TILE_VALUE <= i32::MAX as i128, "values inside a tile fit 32-bit lanes");
+        assert!(Self::MAX_BLOCK_STEPS < 1 << 30, "a dropped edge of value 2^30 is positive in a block");
         assert!(Self::MAX_AREA <= F::Word::MAX_DIVISOR, "the gradient's division fits Word");
         assert!(Self::MAX_NUMERATOR <= F::Word::MAX_NUMERATOR, "the gradient's numerator fits Word");
         assert!(Self::MAX_DEPTH_ERROR_2_16 < 2 << 16, "depths stay inside their range");

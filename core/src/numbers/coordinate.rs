@@ -28,7 +28,9 @@ impl<F: Format> Coordinate<F> {
     /// the guard band's end; `None` for NaN.
     ///
     /// Multiplying by 2^S is exact, and below 2^23 a float's integer part and its fraction are exact
-    /// floats: no rounding but the last.
+    /// floats: no rounding but the last. Below 2^22 the addition of 1.5 2^23 is the rounding: floats
+    /// of that size are whole numbers, and ties go to the even one.
+    #[inline]
     #[must_use]
     pub fn snap(pixels: f32) -> Option<Self> {
         let () = Bounds::<F>::CHECKED;
@@ -37,7 +39,10 @@ impl<F: Format> Coordinate<F> {
         if scaled.is_nan() {
             return None;
         }
-        let steps = if scaled >= end {
+        let steps = if scaled.abs() < end.min((1 << 22) as f32) {
+            let magic = (3 << 22) as f32;
+            ((scaled + magic).to_bits() as i32).wrapping_sub(magic.to_bits() as i32)
+        } else if scaled >= end {
             Bounds::<F>::GUARD_BAND
         } else if scaled <= -end {
             -Bounds::<F>::GUARD_BAND

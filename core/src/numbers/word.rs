@@ -45,6 +45,9 @@ pub(crate) mod arithmetic {
         /// `self + gradient * steps`, modulo 2^2H.
         fn step(self, gradient: Self, steps: i32) -> Self;
 
+        /// The sum, modulo 2^2H.
+        fn plus(self, other: Self) -> Self;
+
         /// The nearest number with `bits` leading bits, ties upwards, as an integer modulo 2^`bits`;
         /// 1 <= `bits` <= min(32, 2H - 1).
         fn rounded(self, bits: u32) -> u32;
@@ -62,18 +65,29 @@ pub(crate) mod arithmetic {
             let [z0, z1, z2] = depths.map(i64::from);
             let numerator = (z1 - z0) * i64::from(d1) - (z2 - z0) * i64::from(d2);
             let (quotient, remainder) = floor_division64(numerator < 0, numerator.unsigned_abs(), divisor);
-            // 32 fractional bits, 16 at a time: a remainder is below 2^48.
-            let shifted = remainder << 16;
-            let (high, remainder) = (shifted / divisor, shifted % divisor);
-            let shifted = remainder << 16;
-            let (low, remainder) = (shifted / divisor, shifted % divisor);
+            // 32 fractional bits: at once where a remainder is below 2^32, else 16 at a time, as it is below
+            // 2^48.
+            let (fraction, remainder) = if divisor.get() >> 32 == 0 {
+                let shifted = remainder << 32;
+                (shifted / divisor, shifted % divisor)
+            } else {
+                let shifted = remainder << 16;
+                let (high, remainder) = (shifted / divisor, shifted % divisor);
+                let shifted = remainder << 16;
+                ((high << 16) + shifted / divisor, shifted % divisor)
+            };
             let round = Self::from(remainder >= divisor.get() - remainder);
-            (quotient << 32).wrapping_add((high << 16) + low + round)
+            (quotient << 32).wrapping_add(fraction + round)
         }
 
         #[inline]
         fn step(self, gradient: Self, steps: i32) -> Self {
             self.wrapping_add(gradient.wrapping_mul(i64::from(steps) as Self))
+        }
+
+        #[inline]
+        fn plus(self, other: Self) -> Self {
+            self.wrapping_add(other)
         }
 
         #[inline]
@@ -110,6 +124,11 @@ pub(crate) mod arithmetic {
         #[inline]
         fn step(self, gradient: Self, steps: i32) -> Self {
             self.wrapping_add(gradient.wrapping_mul(steps as Self))
+        }
+
+        #[inline]
+        fn plus(self, other: Self) -> Self {
+            self.wrapping_add(other)
         }
 
         #[inline]

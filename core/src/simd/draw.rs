@@ -1,6 +1,7 @@
 //! The draws: of a mesh with its indices, and of meshlets.
 
 use super::{
+    any::draw_any,
     attachment::RowAttachment,
     cull::Culling,
     fetch::Records,
@@ -69,11 +70,11 @@ pub fn draw<I: Index, A: RowAttachment>(
     };
     let triangles = triangles.triangles;
     let (submitted, area) = draw::check_draw(positions, triangles.len(), first_id, state, attachments)?;
-    let (Some(level), Some(area), true) = (level.0, area, attachments.fast()) else {
-        return draw::draw(positions, indices, first_id, state, attachments);
+    let (Some(vectors), Some(area), true) = (level.0, area, attachments.fast()) else {
+        return draw_any(level, positions, indices, first_id, state, attachments);
     };
     let mut statistics = Statistics { submitted, ..Statistics::default() };
-    dispatch!(level, simd => {
+    dispatch!(vectors, simd => {
         simd.vectorize(
             #[inline(always)]
             || {
@@ -118,7 +119,7 @@ pub fn draw_meshlets<A: RowAttachment>(
     draw::check_draw(&camera, ids, first_id, state, attachments)?;
     let (submitted, area) = draw::check_draw(&camera, triangles, 0, state, attachments)?;
     let mut statistics = Statistics::default();
-    let (Some(level), Some(area), true) = (level.0, area, attachments.fast()) else {
+    let (Some(vectors), Some(area), true) = (level.0, area, attachments.fast()) else {
         for meshlet in meshlets {
             let positions = MeshletPositions { meshlet, camera: &camera };
             let first = first_id.saturating_add(meshlet.first());
@@ -128,7 +129,7 @@ pub fn draw_meshlets<A: RowAttachment>(
         return Ok(statistics);
     };
     statistics.submitted = submitted;
-    dispatch!(level, simd => {
+    dispatch!(vectors, simd => {
         simd.vectorize(
             #[inline(always)]
             || {

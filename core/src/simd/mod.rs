@@ -5,7 +5,11 @@
 //! blocks by row of blocks, its edges solved for x. What that cannot do (clipping, large extents) goes
 //! one by one through the same integers as [`draw`](crate::draw()). Whatever the level, the bits are
 //! those of `draw` with [`ModelPositions`](crate::ModelPositions).
+//!
+//! Attachments or depth tests that rows are not written for, and positions of other kinds, take the way of
+//! `draw` itself, with its sixteen lanes in vector registers: [`draw_any`].
 
+mod any;
 mod attachment;
 mod blocks;
 mod cull;
@@ -25,6 +29,7 @@ mod vertex;
 mod window;
 mod windows;
 
+pub use any::draw_any;
 pub use attachment::RowAttachment;
 pub use draw::{Triangles, draw, draw_meshlets};
 pub use level::Level;

@@ -50,6 +50,28 @@ impl Plane {
         Self::Bottom(-1.0),
     ];
 
+    /// Whether a vertex is finite and no plane of [`FRUSTUM`](Self::FRUSTUM) excludes it.
+    #[inline]
+    pub(crate) fn frustum_has([x, y, z, w]: [f32; 4]) -> bool {
+        // No branch but at the end. A NaN makes one of these false, and so does an infinity.
+        (x.abs() <= w) & (y.abs() <= w) & (z >= 0.0) & (z <= w) & (MIN_W..=f32::MAX).contains(&w)
+    }
+
+    /// Where a vertex is beside the view frustum: a bit for each plane of [`FRUSTUM`](Self::FRUSTUM) that
+    /// [excludes](Self::excludes) it, two to a component.
+    #[inline]
+    pub(crate) fn beside_frustum(vertex: [f32; 4]) -> [u32; 4] {
+        let [_, _, _, w] = vertex;
+        let (lowest, highest) = ([-w, -w, 0.0, MIN_W], [w, w, w, f32::INFINITY]);
+        let mut beside = [0; 4];
+        for (beside, (v, (lowest, highest))) in
+            beside.iter_mut().zip(vertex.into_iter().zip(lowest.into_iter().zip(highest)))
+        {
+            *beside = u32::from(v < lowest) | u32::from(v > highest) << 1;
+        }
+        beside
+    }
+
     /// Whether a finite vertex is outside.
     #[inline]
     pub(crate) fn excludes(self, [x, y, z, w]: [f32; 4]) -> bool {

@@ -51,6 +51,16 @@ impl<F: Format> Positions<F> for ClipPositions<'_, F> {
     }
 }
 
+/// Whether no component is NaN or infinite.
+#[inline]
+fn are_finite(corners: &[[f32; 4]; 3]) -> bool {
+    let mut above = 0;
+    for v in corners.as_flattened() {
+        above |= u32::from(v.to_bits() << 1 >= f32::INFINITY.to_bits() << 1);
+    }
+    above == 0
+}
+
 /// Emits the window triangles of a clip-space triangle.
 #[inline]
 pub(crate) fn assemble<F: Format>(
@@ -59,23 +69,42 @@ pub(crate) fn assemble<F: Format>(
     planes: &[Plane; 7],
     mut emit: impl FnMut([Vertex<F>; 3]),
 ) -> Assembly {
-    if !corners.as_flattened().iter().all(|v| v.is_finite()) {
-        return Assembly::NonFinite;
+    let [a, b, c] = corners;
+    if !(Plane::frustum_has(a) && Plane::frustum_has(b) && Plane::frustum_has(c)) {
+        if !are_finite(&corners) {
+            return Assembly::NonFinite;
+        }
+        let mut all = 0;
+        let beside = Plane::beside_frustum;
+        for ((a, b), c) in beside(a).into_iter().zip(beside(b)).zip(beside(c)) {
+            all |= a & b & c;
+        }
+        if all != 0 {
+            return Assembly::Outside;
+        }
+        let inside = |v: [f32; 4]| !planes.iter().any(|plane| plane.excludes(v));
+        if !(inside(a) && inside(b) && inside(c)) {
+            return assemble_clipped(corners, viewport, planes, emit);
+        }
     }
-    if Plane::FRUSTUM.into_iter().any(|plane| corners.into_iter().all(|v| plane.excludes(v))) {
-        return Assembly::Outside;
+    // The guard band lies around the frustum (`Bounds::CLIP_PIXELS`), so what is in there is in here.
+    match (viewport.project(a), viewport.project(b), viewport.project(c)) {
+        (Some(a), Some(b), Some(c)) => {
+            emit([a, b, c]);
+            Assembly::Whole
+        }
+        _ => Assembly::NonFinite,
     }
-    let inside = |v: [f32; 4]| !planes.iter().any(|plane| plane.excludes(v));
-    if corners.into_iter().all(inside) {
-        let [a, b, c] = corners.map(|v| viewport.project(v));
-        return match (a, b, c) {
-            (Some(a), Some(b), Some(c)) => {
-                emit([a, b, c]);
-                Assembly::Whole
-            }
-            _ => Assembly::NonFinite,
-        };
-    }
+}
+
+/// Emits the pieces of a finite clip-space triangle that reaches outside the planes.
+#[inline(never)]
+fn assemble_clipped<F: Format>(
+    corners: [[f32; 4]; 3],
+    viewport: &Viewport<F>,
+    planes: &[Plane; 7],
+    emit: impl FnMut([Vertex<F>; 3]),
+) -> Assembly {
     let clipped = clip(corners, planes);
     let first = clipped.vertices().first().and_then(|&v| viewport.project(v));
     let Some(mut polygon) = first.map(Polygon::empty) else { return Assembly::Outside };

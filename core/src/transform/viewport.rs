@@ -43,7 +43,7 @@ impl<F: Format> Viewport<F> {
     ///
     /// Vertices beyond the guard band end on it: clip those first, as
     /// [`ClipPositions`](super::ClipPositions) does.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn project(&self, [x, y, z, w]: [f32; 4]) -> Option<Vertex<F>> {
         let window_x = self.center_x + x / w * self.half_width;

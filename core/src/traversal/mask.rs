@@ -1,5 +1,7 @@
 //! Sixteen bits for the sixteen cells of a square.
 
+use crate::{geometry::Region, numbers::Format};
+
 /// One bit for each cell of a 4x4 arrangement: bit 4 j + i is column i of row j. The samples of a
 /// block, or the children of a larger square.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -50,6 +52,17 @@ impl Mask {
                 (cell & 3, cell >> 2)
             })
         })
+    }
+
+    /// The pixels of the block at (`x`, `y`) that are in a region which touches it.
+    #[inline]
+    pub(super) const fn of_block<F: Format>(region: Region<F>, x: u32, y: u32) -> Self {
+        Self::rectangle(
+            region.x0().saturating_sub(x),
+            region.x1().saturating_sub(x),
+            region.y0().saturating_sub(y),
+            region.y1().saturating_sub(y),
+        )
     }
 
     /// The cells in columns `x0..x1` and rows `y0..y1`, ends beyond 4 taken as 4.

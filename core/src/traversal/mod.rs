@@ -1,8 +1,11 @@
 //! From a set-up triangle to the masks of the 4x4 blocks it covers.
 
 mod mask;
-mod square;
+mod scan;
+mod step;
+mod tile;
 mod walk;
 
 pub use mask::Mask;
+pub(crate) use walk::walk;
 pub use walk::{traverse, traverse_with};

@@ -1,14 +1,21 @@
-//! The hierarchy: tiles of 64x64 pixels, squares of 16x16, blocks of 4x4.
+//! The way over a triangle's bounds: small ones block by block, large ones by tiles of 64x64 pixels and
+//! their squares of 16x16, those again block by block.
 
-use super::{mask::Mask, square::Square};
+use super::{
+    mask::Mask,
+    scan::scan,
+    step::{InBlock, Step},
+    tile::{TILE, squares},
+};
 use crate::{
     geometry::{Region, Triangle},
     lanes::{ArrayLanes, Lanes},
     numbers::Format,
 };
 
-const TILE: u32 = 64;
-const BLOCK: u32 = 4;
+/// Bounds of at most so many pixels in width and in height, rounded out to whole blocks, are small: most
+/// triangles are, and do not pay for tiles. Not more than a tile, so that 32 bits are enough.
+const SMALL: u32 = 32;
 
 /// Visits the 4x4 blocks of `region` in which the triangle covers a sample, each once, with the
 /// target coordinates of its first pixel (multiples of 4) and the mask of its covered samples.
@@ -19,51 +26,56 @@ pub fn traverse<F: Format>(
     region: Region<F>,
     visit: impl FnMut(u32, u32, Mask),
 ) -> bool {
-    traverse_with::<ArrayLanes, F>(triangle, region, visit)
+    traverse_with::<ArrayLanes, F>((), triangle, region, visit)
 }
 
 /// [`traverse`] with other lanes; the masks are the same, and so is their order.
-#[inline]
+#[inline(always)]
 pub fn traverse_with<L: Lanes, F: Format>(
+    token: L::Token,
     triangle: &Triangle<F>,
     region: Region<F>,
+    visit: impl FnMut(u32, u32, Mask),
+) -> bool {
+    match triangle.bounds(region) {
+        Ok(bounds) => walk::<L, F>(token, triangle, region, bounds, visit),
+        Err(_) => false,
+    }
+}
+
+/// [`traverse_with`], given the triangle's [bounds](Triangle::bounds) in the region.
+#[inline(always)]
+pub(crate) fn walk<L: Lanes, F: Format>(
+    token: L::Token,
+    triangle: &Triangle<F>,
+    region: Region<F>,
+    bounds: Region<F>,
     mut visit: impl FnMut(u32, u32, Mask),
 ) -> bool {
-    let Ok(bounds) = triangle.bounds(region) else { return false };
-    let mut any = false;
-    let mut block = |square: &Square| {
-        let mask = square.samples::<L>().and(square.cells_in(bounds));
-        if !mask.is_empty() {
-            any = true;
-            visit(square.x, square.y, mask);
-        }
-    };
-    // The smallest aligned square around the bounds is where the hierarchy begins.
-    let differing = (bounds.x0() ^ (bounds.x1() - 1)) | (bounds.y0() ^ (bounds.y1() - 1));
-    if differing < BLOCK {
-        let (x, y) = (bounds.x0() & !(BLOCK - 1), bounds.y0() & !(BLOCK - 1));
-        if let Some(square) = Square::new(triangle, x, y, BLOCK) {
-            block(&square);
-        }
-        return any;
+    let blocks = bounds.blocks();
+    // No sample beside the bounds is covered, so blocks that are all in the region need no cutting.
+    let cut = if region.contains(blocks) { None } else { Some(bounds) };
+    if blocks.width() <= SMALL && blocks.height() <= SMALL {
+        let Some(steps) = Step::all(triangle, blocks) else { return false };
+        return scan::<L, F>(token, InBlock::all(token, triangle), steps, blocks, cut, visit);
     }
-    let side = if differing < TILE / 4 { TILE / 4 } else { TILE };
-    let mut y = bounds.y0() & !(side - 1);
+    let in_block = InBlock::<L>::all(token, triangle);
+    let mut any = false;
+    let mut y = bounds.y0() & !(TILE - 1);
     while y < bounds.y1() {
-        let mut x = bounds.x0() & !(side - 1);
+        let mut x = bounds.x0() & !(TILE - 1);
         while x < bounds.x1() {
-            if let Some(square) = Square::new(triangle, x, y, side) {
-                if side == TILE {
-                    square.children::<L, F>(bounds, |child| {
-                        child.children::<L, F>(bounds, |grandchild| block(&grandchild));
-                    });
-                } else {
-                    square.children::<L, F>(bounds, |child| block(&child));
-                }
-            }
-            x += side;
+            squares::<L, F>(
+                token,
+                triangle,
+                blocks,
+                [x, y],
+                #[inline(always)]
+                |square, steps| any |= scan::<L, F>(token, in_block, steps, square, cut, &mut visit),
+            );
+            x += TILE;
         }
-        y += side;
+        y += TILE;
     }
     any
 }

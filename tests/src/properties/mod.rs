@@ -3,6 +3,7 @@
 pub mod clipping;
 pub mod coverage;
 pub mod crossing;
+pub mod definition_path;
 pub mod depth;
 pub mod depth_test;
 pub mod entry;

@@ -104,13 +104,13 @@ impl Case {
         }
     }
 
-    fn positions(&self) -> Result<ModelPositions<'_, Standard>, Failure> {
+    pub(super) fn positions(&self) -> Result<ModelPositions<'_, Standard>, Failure> {
         let [x0, y0, x1, y1] = self.viewport;
         let viewport = Viewport::new(Region::new(x0, y0, x1, y1)?);
         Ok(ModelPositions::new(&self.model.vertices, self.model.matrix, viewport))
     }
 
-    fn state(&self) -> Result<State<Standard>, Failure> {
+    pub(super) fn state(&self) -> Result<State<Standard>, Failure> {
         Ok(State { cull: self.cull, front: self.front, ..self.frame.state()? })
     }
 }
