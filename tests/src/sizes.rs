@@ -72,6 +72,16 @@ table! {
     SIMD_DEPTH = 300;
     /// Refused draws at every vector level.
     SIMD_ERRORS = 150;
+    /// Whole frames of meshlets at every vector level.
+    MESHLET_FRAME = 700;
+    /// Whole frames of more meshlets than are drawn at a time.
+    MESHLET_MANY = 24;
+    /// Boxes at the planes of the frustum.
+    MESHLET_GRAZING = 2_000;
+    /// Meshlets one by one.
+    MESHLET_ALONE = 40;
+    /// Meshes that are refused.
+    MESHLET_ERRORS = 100;
     /// Edges of large triangles.
     CROSSINGS = 4_000;
     /// Squares of lattice points on a side of the enumerations, centre sample; not cases: grows with

@@ -10,6 +10,7 @@ mod goldens;
 mod issues;
 mod lanes;
 mod layers;
+mod meshlets;
 mod named;
 mod numbers;
 mod scenes;

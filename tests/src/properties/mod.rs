@@ -10,6 +10,7 @@ pub mod entry;
 pub mod enumeration;
 pub mod errors;
 pub mod lanes;
+pub mod meshlets;
 pub mod numbers;
 pub mod outline;
 pub mod scene;

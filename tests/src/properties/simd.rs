@@ -159,17 +159,17 @@ fn viewport(frame: &Frame, kind: u32, free: u32) -> [u32; 4] {
 
 /// The memory of all attachments.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Storage {
+pub(super) struct Storage {
     region: Region<Standard>,
-    masks: Vec<u16>,
-    depths: Vec<u32>,
-    depths16: Vec<u16>,
-    ids: Vec<u32>,
+    pub(super) masks: Vec<u16>,
+    pub(super) depths: Vec<u32>,
+    pub(super) depths16: Vec<u16>,
+    pub(super) ids: Vec<u32>,
 }
 
 impl Storage {
     /// Cleared, or filled with anything and sometimes longer than is needed.
-    fn new(region: Region<Standard>, contents: u32) -> Self {
+    pub(super) fn new(region: Region<Standard>, contents: u32) -> Self {
         let (width, height) = (region.width(), region.height());
         let (blocks, texels) = (blocks(width, height), texels(width, height));
         if contents == 0 {
@@ -194,7 +194,7 @@ impl Storage {
     }
 
     /// Every bit is the same, also those of pixels beside the region.
-    fn equals(&self, expected: &Self, what: &str) -> Verdict {
+    pub(super) fn equals(&self, expected: &Self, what: &str) -> Verdict {
         self.same(&self.masks, &expected.masks, 1, "mask", what)?;
         self.same(&self.depths, &expected.depths, 16, "depth", what)?;
         self.same(&self.depths16, &expected.depths16, 16, "16-bit depth", what)?;
