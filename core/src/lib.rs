@@ -41,7 +41,8 @@
 //! or hand a whole mesh to [`draw()`].
 //!
 //! With the feature `simd`, `simd::draw` stands above them all and draws the same bits from vector
-//! registers; `simd::draw_any` takes whatever `draw` takes.
+//! registers; `simd::draw_meshlets` draws them from a mesh divided once; `simd::draw_any` takes whatever `draw`
+//! takes.
 //!
 //! # Features
 //!

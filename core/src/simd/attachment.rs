@@ -9,7 +9,7 @@ use core::{iter::Zip, slice::IterMut};
 use fearless_simd::{Simd, mask16x16, mask32x16, prelude::*, u16x16, u32x16};
 
 /// An attachment, or a tuple of them, that the fast path can write: coverage, depth, ids, depth with
-/// ids. Others are drawn by [`draw`](crate::draw()).
+/// ids. Others are drawn by [`draw_any`](super::draw_any).
 pub trait RowAttachment: Attachment<Standard> + Rows {}
 
 impl<A: Attachment<Standard> + Rows> RowAttachment for A {}
@@ -70,6 +70,32 @@ pub(super) mod rows {
 }
 use rows::Rows;
 
+/// The rows of an attachment whose blocks, of type `$block`, are tiled storage.
+macro_rules! tiled_rows {
+    ($block:ty) => {
+        type Row<'r>
+            = IterMut<'r, $block>
+        where
+            Self: 'r;
+        type Cursor = usize;
+
+        #[inline(always)]
+        fn cursor(&self, x: u32, y: u32) -> usize {
+            self.tiled().place(x, y)
+        }
+
+        #[inline(always)]
+        fn next_row(&self, cursor: usize) -> usize {
+            self.tiled().below(cursor)
+        }
+
+        #[inline(always)]
+        fn row(&mut self, cursor: usize, from: u32, blocks: u32) -> Self::Row<'_> {
+            self.tiled_mut().row_mut(cursor, from, blocks).iter_mut()
+        }
+    };
+}
+
 /// The depths of a block's sixteen samples above its first one in units of 2^-32, rounded down after
 /// adding `half` units of 2^-56.
 ///
@@ -91,11 +117,7 @@ impl Rows for Depth<'_, Standard, D32> {
     const DEPTH: DepthSetup = DepthSetup::D32;
     const ORDERED: bool = false;
     type Lanes<S: Simd> = u32x16<S>;
-    type Row<'r>
-        = IterMut<'r, [u32; 16]>
-    where
-        Self: 'r;
-    type Cursor = usize;
+    tiled_rows!([u32; 16]);
 
     #[inline]
     fn fast(&self) -> bool {
@@ -105,21 +127,6 @@ impl Rows for Depth<'_, Standard, D32> {
     #[inline(always)]
     fn prepare<S: Simd>(&self, simd: S, gradients: Gradients, _id: u32) -> Self::Lanes<S> {
         offsets(simd, gradients, 1 << 23)
-    }
-
-    #[inline(always)]
-    fn cursor(&self, x: u32, y: u32) -> usize {
-        self.tiled().place(x, y)
-    }
-
-    #[inline(always)]
-    fn next_row(&self, cursor: usize) -> usize {
-        self.tiled().below(cursor)
-    }
-
-    #[inline(always)]
-    fn row(&mut self, cursor: usize, from: u32, blocks: u32) -> Self::Row<'_> {
-        self.tiled_mut().row_mut(cursor, from, blocks).iter_mut()
     }
 
     #[inline(always)]
@@ -153,11 +160,7 @@ impl Rows for Depth<'_, Standard, D16> {
     const DEPTH: DepthSetup = DepthSetup::D16;
     const ORDERED: bool = false;
     type Lanes<S: Simd> = u16x16<S>;
-    type Row<'r>
-        = IterMut<'r, [u16; 16]>
-    where
-        Self: 'r;
-    type Cursor = usize;
+    tiled_rows!([u16; 16]);
 
     #[inline]
     fn fast(&self) -> bool {
@@ -169,21 +172,6 @@ impl Rows for Depth<'_, Standard, D16> {
         let offsets = (offsets(simd, gradients, 0) + u32x16::splat(simd, 1 << 15)) >> 16;
         let (low, high) = simd.split_u32x16(offsets);
         simd.narrow_u32x8(low, high)
-    }
-
-    #[inline(always)]
-    fn cursor(&self, x: u32, y: u32) -> usize {
-        self.tiled().place(x, y)
-    }
-
-    #[inline(always)]
-    fn next_row(&self, cursor: usize) -> usize {
-        self.tiled().below(cursor)
-    }
-
-    #[inline(always)]
-    fn row(&mut self, cursor: usize, from: u32, blocks: u32) -> Self::Row<'_> {
-        self.tiled_mut().row_mut(cursor, from, blocks).iter_mut()
     }
 
     #[inline(always)]
@@ -229,11 +217,7 @@ impl Rows for Ids<'_, Standard> {
     const DEPTH: DepthSetup = DepthSetup::None;
     const ORDERED: bool = true;
     type Lanes<S: Simd> = u32x16<S>;
-    type Row<'r>
-        = IterMut<'r, [u32; 16]>
-    where
-        Self: 'r;
-    type Cursor = usize;
+    tiled_rows!([u32; 16]);
 
     #[inline]
     fn fast(&self) -> bool {
@@ -243,21 +227,6 @@ impl Rows for Ids<'_, Standard> {
     #[inline(always)]
     fn prepare<S: Simd>(&self, simd: S, _gradients: Gradients, id: u32) -> Self::Lanes<S> {
         u32x16::splat(simd, id)
-    }
-
-    #[inline(always)]
-    fn cursor(&self, x: u32, y: u32) -> usize {
-        self.tiled().place(x, y)
-    }
-
-    #[inline(always)]
-    fn next_row(&self, cursor: usize) -> usize {
-        self.tiled().below(cursor)
-    }
-
-    #[inline(always)]
-    fn row(&mut self, cursor: usize, from: u32, blocks: u32) -> Self::Row<'_> {
-        self.tiled_mut().row_mut(cursor, from, blocks).iter_mut()
     }
 
     #[inline(always)]
@@ -281,11 +250,7 @@ impl Rows for Coverage<'_, Standard> {
     const DEPTH: DepthSetup = DepthSetup::None;
     const ORDERED: bool = false;
     type Lanes<S: Simd> = ();
-    type Row<'r>
-        = IterMut<'r, u16>
-    where
-        Self: 'r;
-    type Cursor = usize;
+    tiled_rows!(u16);
 
     #[inline]
     fn fast(&self) -> bool {
@@ -294,21 +259,6 @@ impl Rows for Coverage<'_, Standard> {
 
     #[inline(always)]
     fn prepare<S: Simd>(&self, _simd: S, _gradients: Gradients, _id: u32) {}
-
-    #[inline(always)]
-    fn cursor(&self, x: u32, y: u32) -> usize {
-        self.tiled().place(x, y)
-    }
-
-    #[inline(always)]
-    fn next_row(&self, cursor: usize) -> usize {
-        self.tiled().below(cursor)
-    }
-
-    #[inline(always)]
-    fn row(&mut self, cursor: usize, from: u32, blocks: u32) -> Self::Row<'_> {
-        self.tiled_mut().row_mut(cursor, from, blocks).iter_mut()
-    }
 
     #[inline(always)]
     fn write<'r, S: Simd>(

@@ -1,9 +1,11 @@
 //! Drawing from block masks: small and medium triangles.
 
-use super::{attachment::RowAttachment, setup::Batch, windows::Windows};
+use super::{
+    attachment::{Gradients, RowAttachment},
+    setup::Batch,
+    windows::Windows,
+};
 use fearless_simd::{Simd, mask32x16, prelude::*};
-
-use super::attachment::Gradients;
 
 /// One triangle's depth plane and place.
 #[derive(Clone, Copy)]

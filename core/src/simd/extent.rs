@@ -11,13 +11,18 @@ pub(super) const SMALL_EXTENT: i32 = 120 << 8;
 /// Small triangles lie within a window of this many blocks each way.
 pub(super) const SMALL: i32 = 2;
 
-/// Medium ones lie within a window of this many columns and rows of blocks: at most 31 pixels wide, so
+/// Medium ones lie within a window of this many columns and rows of blocks: at most 30 pixels wide, so
 /// that a row is a mask of 32 bits.
 pub(super) const MEDIUM: [i32; 2] = [7, 16];
 
 /// Extents of small and medium triangles are below this, in steps: what of them lies outside the
-/// region is not far away either.
+/// region is not far away either, so edge values of all rows of the window are exact in `f32`.
 const MEDIUM_EXTENT: i32 = 72 << 8;
+// From a vertex to a sample of the window: the extent, up to 3 pixels of rounding, the window's rows.
+const _: () = assert!({
+    let reach = MEDIUM_EXTENT as i64 + ((8 + 4 * MEDIUM[1] as i64) << 8);
+    (2 * MEDIUM_EXTENT as i64 * reach) >> 8 < 1 << 23
+});
 
 /// The constants of a draw's bounds.
 #[derive(Clone, Copy)]

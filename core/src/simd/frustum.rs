@@ -1,10 +1,9 @@
 //! Boxes against the view frustum, never wrong about one that is left out.
 //!
-//! A vertex outside a plane of the frustum has a . (x, y, z, 1) < 0 for the plane's row a of sums of
-//! matrix elements. For the corner of a box that is furthest inside, that is the value at the centre plus
-//! |a| times half the size. What rounding can change, in that and in the vertices' own clip coordinates
-//! (four products and three sums each, so less than 2^-21 of the sum of magnitudes), is far below the
-//! margin of 2^-19 of that sum.
+//! A vertex is outside a plane of the frustum where a . (x, y, z, 1) < 0, the plane's a being sums of two
+//! columns of the matrix. Over a box that is largest where each of x, y and z is at one of its ends. What
+//! rounding can change, there and in the vertices' own clip coordinates (products and sums of four terms
+//! each, so less than 2^-21 of the sum of magnitudes), is far below the margin of 2^-19 of that sum.
 
 use super::meshlet::Meshlet;
 use fearless_simd::{Simd, f32x8, prelude::*};

@@ -33,6 +33,27 @@ pub(super) fn bits<S: Simd>(mask: mask32x16<S>) -> u32 {
     mask.to_bitmask() as u32
 }
 
+/// The least integers not below floats from -2^30 to 2^30.
+#[inline(always)]
+pub(super) fn ceil<S: Simd>(simd: S, value: f32x16<S>) -> i32x16<S> {
+    if <S::u32s as SimdBase<S>>::LEN >= 8 {
+        return i32x16::truncate_from(value.ceil());
+    }
+    // SSE2 has no rounding.
+    let whole = i32x16::truncate_from(value);
+    f32x16::float_from(whole).simd_lt(value).select(whole + splat(simd, 1), whole)
+}
+
+/// 2^n for n from 0 to 30; anything for other n.
+#[inline(always)]
+pub(super) fn power_of_two<S: Simd>(simd: S, n: i32x16<S>) -> i32x16<S> {
+    if <S::u32s as SimdBase<S>>::LEN >= 8 {
+        return simd.shlv_u32x16(u32x16::splat(simd, 1), n.bitcast()).bitcast();
+    }
+    // Narrower registers have no shift by lane: a float with that exponent.
+    i32x16::truncate_from(((n + splat(simd, 127)) << 23).bitcast::<f32x16<S>>())
+}
+
 /// Sixteen doubles.
 pub(super) type Doubles<S> = [f64x8<S>; 2];
 

@@ -18,7 +18,7 @@ use crate::{
     geometry::{Assembly, Culled, Region, Vertex},
     numbers::Standard,
 };
-use fearless_simd::{Simd, mask32x16, prelude::*, u32x16};
+use fearless_simd::{Simd, mask32x16, prelude::*};
 
 /// What stays the same in a draw.
 #[derive(Clone, Copy)]
@@ -63,7 +63,6 @@ impl<S: Simd, L: Index, P: Source> Drawing<'_, S, L, P> {
         statistics: &mut Statistics,
     ) {
         let triangles = self.triangles;
-        let numbers = u32x16::simd_from(self.simd, [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15]);
         let mut last;
         let mut done = 0;
         while let Some(rest) = triangles.get(done..).filter(|rest| !rest.is_empty()) {
@@ -80,13 +79,13 @@ impl<S: Simd, L: Index, P: Source> Drawing<'_, S, L, P> {
             culled.zero_area += verdict.zero_area.count_ones();
             culled.facing += verdict.facing.count_ones();
             culled.no_sample += verdict.no_sample.count_ones();
-            let numbers = numbers + u32x16::splat(self.simd, done as u32);
+            let first = done as u32;
             if A::ORDERED {
-                self.in_order(&verdict, numbers, done as u32, scratch, attachments, statistics);
+                self.in_order(&verdict, first, scratch, attachments, statistics);
             } else {
-                scratch.small.push(numbers, verdict.small);
-                scratch.medium.push(numbers, verdict.medium);
-                scratch.others.push(numbers, verdict.fast & !verdict.small & !verdict.medium);
+                scratch.small.push(self.simd, first, verdict.small);
+                scratch.medium.push(self.simd, first, verdict.medium);
+                scratch.others.push(self.simd, first, verdict.fast & !verdict.small & !verdict.medium);
                 let Scratch { small, medium, others, batch, windows } = &mut *scratch;
                 for queue in [small, medium, others] {
                     if !queue.has_room() {
@@ -95,7 +94,7 @@ impl<S: Simd, L: Index, P: Source> Drawing<'_, S, L, P> {
                 }
                 let mut slow = verdict.slow;
                 while slow != 0 {
-                    self.one(done as u32 + slow.trailing_zeros(), attachments, statistics);
+                    self.one(first + slow.trailing_zeros(), attachments, statistics);
                     slow &= slow - 1;
                 }
             }
@@ -112,7 +111,6 @@ impl<S: Simd, L: Index, P: Source> Drawing<'_, S, L, P> {
     fn in_order<A: RowAttachment>(
         &self,
         verdict: &Verdict<S>,
-        numbers: u32x16<S>,
         first: u32,
         scratch: &mut Scratch,
         attachments: &mut A,
@@ -125,12 +123,12 @@ impl<S: Simd, L: Index, P: Source> Drawing<'_, S, L, P> {
             let lane = slow.trailing_zeros();
             slow &= slow - 1;
             let before = fast & ((1 << lane) - 1);
-            others.push(numbers, mask32x16::from_bitmask(self.simd, u64::from(before)));
+            others.push(self.simd, first, mask32x16::from_bitmask(self.simd, u64::from(before)));
             fast &= !before;
             self.draw_all(others, batch, windows, attachments, statistics);
             self.one(first + lane, attachments, statistics);
         }
-        others.push(numbers, mask32x16::from_bitmask(self.simd, u64::from(fast)));
+        others.push(self.simd, first, mask32x16::from_bitmask(self.simd, u64::from(fast)));
         if !others.has_room() {
             self.draw_full(others, batch, windows, attachments, statistics);
         }

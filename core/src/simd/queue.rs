@@ -28,12 +28,26 @@ impl Queue {
         self.len + 16 <= CAPACITY
     }
 
-    /// Adds the numbers in the lanes of the mask; there is room.
+    /// Adds those of the sixteen triangles from number `first` on that are in the mask; there is room.
     #[inline(always)]
-    pub(super) fn push<S: Simd>(&mut self, numbers: u32x16<S>, mask: mask32x16<S>) {
-        if let Some(to) = self.numbers.get_mut(self.len..).and_then(<[u32]>::first_chunk_mut::<16>) {
-            numbers.compress(mask).store_slice(to);
-            self.len += bits(mask).count_ones() as usize;
+    pub(super) fn push<S: Simd>(&mut self, simd: S, first: u32, mask: mask32x16<S>) {
+        let Some(to) = self.numbers.get_mut(self.len..).and_then(<[u32]>::first_chunk_mut::<16>) else {
+            return;
+        };
+        let mut left = bits(mask);
+        self.len += left.count_ones() as usize;
+        if <S::u32s as SimdBase<S>>::LEN >= 8 {
+            let lanes = u32x16::simd_from(simd, [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15]);
+            (lanes + u32x16::splat(simd, first)).compress(mask).store_slice(to);
+        } else {
+            // Narrower registers have no instruction for it.
+            for to in to {
+                if left == 0 {
+                    break;
+                }
+                *to = first.wrapping_add(left.trailing_zeros());
+                left &= left - 1;
+            }
         }
     }
 

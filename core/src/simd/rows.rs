@@ -6,6 +6,7 @@
 use super::{
     attachment::{Gradients, RowAttachment},
     blocks::{Placed, upper},
+    ops::ceil,
     setup::{Batch, Crossing, Crossings, DepthSetup},
 };
 use crate::{
@@ -148,11 +149,11 @@ impl<S: Simd> Rows<S> for Single<S> {
         let (bound, first, end) =
             (f32x16::splat(simd, bound), f32x16::splat(simd, first), f32x16::splat(simd, end));
         let crossing = third * third_edge.factor;
-        let begin = (left * left_edge.factor).max(crossing.min(bound)).max(first).min(end).ceil();
-        let close = (right * right_edge.factor).min(crossing.max(bound)).max(first).min(end).ceil();
+        let begin = (left * left_edge.factor).max(crossing.min(bound)).max(first).min(end);
+        let close = (right * right_edge.factor).min(crossing.max(bound)).max(first).min(end);
         self.values =
             [left + 16.0 * left_edge.step, right + 16.0 * right_edge.step, third + 16.0 * third_edge.step];
-        [i32x16::truncate_from(begin), i32x16::truncate_from(close)]
+        [ceil(simd, begin), ceil(simd, close)]
     }
 }
 

@@ -356,17 +356,15 @@ fn gradients<S: Simd>(simd: S, plane: [f64x8<S>; 8]) -> (u64x8<S>, u64x8<S>) {
 #[inline(always)]
 fn gradient<S: Simd>(simd: S, numerator: f64x8<S>, area: f64x8<S>, inverse: f64x8<S>) -> u64x8<S> {
     let digit = f64x8::splat(simd, 65536.0);
-    let whole = (numerator * inverse).round_ties_even();
-    let rest = (numerator - whole * area) * digit;
-    let high = (rest * inverse).round_ties_even();
-    let rest = (rest - high * area) * digit;
-    let low = (rest * inverse).round_ties_even();
-    let fraction = high * digit + low;
-    // Adding 1.5 * 2^52 leaves an integer in the low bits, in two's complement.
+    // Adding 1.5 * 2^52 rounds to the nearest integer and leaves it in the low bits, in two's complement.
     let magic = f64x8::splat(simd, 6_755_399_441_055_744.0);
-    let whole = (whole + magic).to_bits() << 32;
-    let fraction = (fraction + magic).to_bits() - magic.to_bits();
-    whole + fraction
+    let rounded = numerator * inverse + magic;
+    let rest = (numerator - (rounded - magic) * area) * digit;
+    let high = rest * inverse + magic - magic;
+    let rest = (rest - high * area) * digit;
+    let low = rest * inverse + magic - magic;
+    let fraction = high * digit + low + magic;
+    (rounded.to_bits() << 32) + (fraction.to_bits() - magic.to_bits())
 }
 
 /// `crate::unorm16` of sixteen depths, kept in the vertices' range, in the upper half.

@@ -176,16 +176,15 @@ fn unorm32<S: Simd>(simd: S, z: f32x16<S>) -> u32x16<S> {
     let digit = f32x16::splat(simd, 65536.0);
     let half = f32x16::splat(simd, 0.5);
     let high = z * digit;
-    let high_whole = high.trunc();
-    let low = (high - high_whole) * digit;
-    let low_whole = low.trunc();
-    let fraction = low - low_whole;
+    let high_whole = i32x16::truncate_from(high);
+    let low = (high - f32x16::float_from(high_whole)) * digit;
+    let low_whole = i32x16::truncate_from(low);
+    let fraction = low - f32x16::float_from(low_whole);
     let one = u32x16::splat(simd, 1);
     let none = u32x16::splat(simd, 0);
     let up = (fraction - half).simd_ge(z).select(one, none);
     let down = z.simd_gt(half).select(one, none);
-    let high: u32x16<S> = i32x16::truncate_from(high_whole).bitcast();
-    let low: u32x16<S> = i32x16::truncate_from(low_whole).bitcast();
+    let (high, low): (u32x16<S>, u32x16<S>) = (high_whole.bitcast(), low_whole.bitcast());
     let value = (high << 16) + low + up - down;
     value.max(u32x16::splat(simd, DEPTH32_MIN)).min(u32x16::splat(simd, DEPTH32_MAX))
 }

@@ -3,15 +3,15 @@
 
 use super::{
     extent::MEDIUM,
-    ops::{bits, merge, splat},
+    ops::{bits, ceil, merge, power_of_two, splat},
     setup::{Batch, Crossings},
 };
 use fearless_simd::{Simd, f32x16, i32x16, prelude::*, u32x16};
 
 const ROWS: usize = MEDIUM[1] as usize;
 const PAIRS: usize = (MEDIUM[0] as usize).div_ceil(2);
-// The masks of a row are made of shifts by 0 to 31.
-const _: () = assert!(MEDIUM[0] * 4 <= 31);
+// The masks of a row are made of powers of two up to this.
+const _: () = assert!(MEDIUM[0] * 4 <= 30);
 
 /// The masks of sixteen triangles' windows: for each row of blocks and each two columns, those of two
 /// blocks, the left one in the low bits.
@@ -119,13 +119,11 @@ impl<S: Simd> Rows<S> {
         let [left_factor, right_factor, third_factor] = self.factors;
         let (bound, first, end) = (self.bound, self.first, self.end);
         let crossing = third * third_factor;
-        let begin = (left * left_factor).max(crossing.min(bound)).max(first).min(end).ceil();
-        let close = (right * right_factor).min(crossing.max(bound)).min(end).ceil().max(begin);
+        let begin = (left * left_factor).max(crossing.min(bound)).max(first).min(end);
+        let close = (right * right_factor).min(crossing.max(bound)).min(end).max(begin);
         self.values = [left + left_step, right + right_step, third + third_step];
-        let one = u32x16::splat(simd, 1);
-        let (begin, close): (u32x16<S>, u32x16<S>) =
-            (i32x16::truncate_from(begin).bitcast(), i32x16::truncate_from(close).bitcast());
-        simd.shlv_u32x16(one, close) - simd.shlv_u32x16(one, begin)
+        let (begin, close) = (ceil(simd, begin), ceil(simd, close));
+        (power_of_two(simd, close) - power_of_two(simd, begin)).bitcast()
     }
 }
 

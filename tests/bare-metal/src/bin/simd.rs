@@ -5,7 +5,9 @@
 
 use halfplane::{
     D32, Depth, DepthTest, Ids, ModelPositions, Region, Standard, State, Viewport,
-    simd::{Level, Snapped, Triangles, draw},
+    simd::{
+        Level, Meshlet, MeshletScratch, Snapped, Triangles, draw, draw_meshlets, make_meshlets, max_meshlets,
+    },
     texels,
 };
 use halfplane_bare_metal::{input, inputs, output, program};
@@ -24,15 +26,24 @@ fn main() -> Option<()> {
     let vertices = inputs().map(|vertex| vertex.map(f32::from_bits));
     let matrix =
         core::array::from_fn(|row| core::array::from_fn(|c| f32::from_bits(input(16 + 4 * row + c))));
-    let positions = ModelPositions::new(&vertices, matrix, Viewport::new(region));
+    let viewport = Viewport::new(region);
+    let positions = ModelPositions::new(&vertices, matrix, viewport);
     let mut records = [Snapped::default(); 4];
     let scratch = records.get_mut(..input(33) as usize)?;
     let indices: [u32; 30] = core::array::from_fn(|i| input(34 + i));
-    let triangles = Triangles::new(indices.get(..input(32) as usize)?, vertices.len()).ok()?;
+    let indices = indices.get(..input(32) as usize)?;
+    let triangles = Triangles::new(indices, vertices.len()).ok()?;
     let level = if input(15) == 0 { Level::FALLBACK } else { Level::baseline() };
     let state = State::new(region);
     let statistics =
         draw(level, &positions, scratch, triangles, input(12), &state, &mut (&mut depth, &mut ids));
+    output(u64::from(statistics.ok()?.submitted));
+    let mut memory = [Meshlet::EMPTY; max_meshlets(10)];
+    let meshlets = make_meshlets(&vertices, indices, memory.get_mut(..input(11) as usize)?).ok()?;
+    let mut scratch = MeshletScratch::NEW;
+    let mut all = (&mut depth, &mut ids);
+    let statistics =
+        draw_meshlets(level, meshlets, matrix, viewport, &mut scratch, input(10), &state, &mut all);
     output(u64::from(statistics.ok()?.drawn) + u64::from(depth.get(input(13), input(14))?));
     Some(())
 }
