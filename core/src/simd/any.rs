@@ -8,7 +8,7 @@ use crate::{
     lanes::VectorLanes,
     numbers::Format,
 };
-use fearless_simd::{Simd, dispatch};
+use fearless_simd::dispatch;
 
 /// [`draw`](crate::draw()) with lanes in vector registers of `level`: the same picture, the same
 /// statistics, the same calls of the attachments' methods, for whatever can be drawn at all.
@@ -33,24 +33,7 @@ where
     A: Attachment<F>,
 {
     let Some(level) = level.0 else { return draw::draw(positions, indices, first_id, state, attachments) };
-    dispatch!(level, simd => draw_at(simd, positions, indices, first_id, state, attachments))
-}
-
-/// [`draw_any`] at the level of a token.
-fn draw_at<S, F, P, I, A>(
-    simd: S,
-    positions: &P,
-    indices: &[I],
-    first_id: u32,
-    state: &State<F>,
-    attachments: &mut A,
-) -> Result<Statistics, DrawError>
-where
-    S: Simd,
-    F: Format,
-    P: Positions<F> + ?Sized,
-    I: Index,
-    A: Attachment<F>,
-{
-    draw::draw_with::<VectorLanes<S>, F, P, I, A>(simd, positions, indices, first_id, state, attachments)
+    dispatch!(level, simd => {
+        draw::draw_with::<VectorLanes<_>, F, P, I, A>(simd, positions, indices, first_id, state, attachments)
+    })
 }
