@@ -6,6 +6,7 @@ use std::time::Instant;
 
 use halfplane_benches::contest::{self, Outcome};
 use halfplane_benches::options::Options;
+use halfplane_benches::ours::Last;
 use halfplane_benches::scenes::{View, files, growth, micro, pixels};
 use halfplane_benches::{machine, record, report};
 
@@ -62,8 +63,11 @@ fn run(options: &Options) -> Result<(), String> {
     println!("{} views; at most about {:.0} min.", scenes.len() + made.len(), (most / 60.0).ceil());
 
     let mut outcomes: Vec<Outcome> = Vec::new();
+    let mut last = Last::default();
     let mut measure = |view: &View| -> Result<(), String> {
-        let outcome = contest::run(view, options)?;
+        let prepared =
+            view.detail.then(|| last.of(view, |cost| print!("{}", report::preparation(view, cost))));
+        let outcome = contest::run(view, prepared, options)?;
         print!("{}", report::table(&outcome));
         outcomes.push(outcome);
         // A run that is broken off leaves what it has.

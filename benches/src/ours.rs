@@ -1,10 +1,13 @@
 //! The rasterizer, as the command draws with it (`halfplane_cli::target`), on views.
 
+use std::sync::Arc;
+
 use halfplane::{Cull, Region, State};
+use halfplane_cli::mesh::Mesh;
 use halfplane_cli::render::RenderError;
 
 pub use halfplane_cli::level::{Level, available, is_fallback};
-pub use halfplane_cli::target::{Attachments, Stage, Target};
+pub use halfplane_cli::target::{Attachments, Preparation, Prepared, Stage, Target};
 
 use crate::scenes::View;
 
@@ -51,6 +54,29 @@ pub fn with_indices<'v>(view: &'v View, indices: &'v [u32]) -> Target<'v> {
     drawn(Target::new(&view.mesh.positions, indices, &state))
 }
 
+/// The meshlets of the mesh that was drawn last: the views of a scene share them.
+#[derive(Debug, Default)]
+pub struct Last(Option<(Arc<Mesh>, Prepared)>);
+
+impl Last {
+    /// Those of a view's mesh; `told` is called with what they cost where they had to be made.
+    ///
+    /// # Panics
+    ///
+    /// As [`target`].
+    pub fn of(&mut self, view: &View, told: impl FnOnce(Preparation)) -> &Prepared {
+        if self.0.as_ref().is_some_and(|(mesh, _)| !Arc::ptr_eq(mesh, &view.mesh)) {
+            self.0 = None;
+        }
+        let make = || {
+            let prepared = drawn(Prepared::new(&view.mesh.positions, &view.mesh.indices));
+            told(prepared.preparation());
+            (Arc::clone(&view.mesh), prepared)
+        };
+        &self.0.get_or_insert_with(make).1
+    }
+}
+
 /// What a target returned; it refuses nothing of a view.
 ///
 /// # Panics
@@ -69,16 +95,35 @@ mod tests {
     #[test]
     fn every_level_draws_the_same_picture() {
         let view = micro::random("test", 2000, 24.0, (200, 120));
+        let mut last = Last::default();
+        let prepared = last.of(&view, |_| ());
         let mut target = target(&view);
         for attachments in MEASURED {
             drawn(target.frame(Level::FALLBACK, attachments, &view.matrix));
             let (expected, covered) = (target.fingerprint(attachments), target.covered(attachments));
             assert!(covered > 200 * 120 / 2, "{attachments:?} {covered}");
             for level in available() {
-                drawn(target.frame(level, attachments, &view.matrix));
-                assert_eq!(target.fingerprint(attachments), expected, "{level:?} {attachments:?}");
+                for way in [None, Some(prepared.meshlets())] {
+                    target.set_meshlets(way);
+                    drawn(target.frame(level, attachments, &view.matrix));
+                    assert_eq!(target.fingerprint(attachments), expected, "{level:?} {attachments:?}");
+                }
             }
+            target.set_meshlets(None);
         }
+    }
+
+    #[test]
+    fn a_mesh_is_prepared_once() {
+        let one = micro::random("one", 200, 24.0, (200, 120));
+        let other = micro::random("other", 300, 24.0, (200, 120));
+        let (mut last, mut told) = (Last::default(), Vec::new());
+        for view in [&one, &View { size: (100, 60), ..one.clone() }, &other, &one] {
+            let prepared = last.of(view, |preparation| told.push(preparation.meshlets)).preparation();
+            assert_eq!(told.last(), Some(&prepared.meshlets));
+        }
+        // 32 triangles that share no vertex fill a meshlet.
+        assert_eq!(told, [7, 10, 7]);
     }
 
     #[test]

@@ -29,6 +29,12 @@ pub struct Record {
     pub triangles: usize,
     /// Pixels covered in the view's own frame.
     pub covered: Option<usize>,
+    /// Meshlets that were made beforehand, if any were.
+    pub meshlets: Option<usize>,
+    /// How long making them took, in milliseconds; in no other time.
+    pub prepare_ms: Option<f64>,
+    /// What they take.
+    pub meshlet_bytes: Option<usize>,
     /// How many frames were measured.
     pub frames: u32,
     /// The shortest.
@@ -66,6 +72,9 @@ pub fn records(outcomes: &[Outcome], machine: &str) -> Vec<Record> {
             moving: row.moving,
             triangles: row.triangles,
             covered: row.covered,
+            meshlets: row.preparation.map(|cost| cost.meshlets),
+            prepare_ms: row.preparation.map(|cost| cost.ms),
+            meshlet_bytes: row.preparation.map(|cost| cost.bytes),
             frames: row.summary.frames,
             min_ms: row.summary.min,
             p25_ms: row.summary.p25,
@@ -111,18 +120,25 @@ pub fn read(path: &Path) -> Result<Vec<Record>, String> {
 pub(crate) mod tests {
     use super::*;
     use crate::contest::Row;
+    use crate::ours::Preparation;
     use crate::protocol::Summary;
 
-    /// An outcome of a clear, two of ours and a peer.
-    pub(crate) fn outcome(view: &str, ours: &str) -> Outcome {
-        let row = |contender: &str, kind, min| Row {
+    /// A row of 10 triangles.
+    pub(crate) fn row(contender: &str, kind: Kind, min: f64) -> Row {
+        let preparation = Preparation { meshlets: 3, ms: 0.25, bytes: 4800 };
+        Row {
             contender: contender.to_owned(),
             kind,
             moving: false,
             triangles: 10,
             covered: (kind != Kind::Unit).then_some(5),
+            preparation: (kind == Kind::OursMeshlets).then_some(preparation),
             summary: Summary { frames: 3, min, median: min * 1.1, ..Summary::default() },
-        };
+        }
+    }
+
+    /// An outcome of a clear, some of ours and a peer.
+    pub(crate) fn outcome(view: &str, ours: &str) -> Outcome {
         Outcome {
             view: view.to_owned(),
             size: (1280, 720),
@@ -130,6 +146,7 @@ pub(crate) mod tests {
             rows: vec![
                 row("clear", Kind::Unit, 0.5),
                 row(ours, Kind::Ours, 2.0),
+                row(&format!("{ours}, meshlets"), Kind::OursMeshlets, 1.5),
                 row("halfplane fallback depth", Kind::Ours, 20.0),
                 row("euc, \"quoted\"", Kind::Peer, 13.0),
             ],
@@ -139,7 +156,8 @@ pub(crate) mod tests {
     #[test]
     fn what_is_written_is_read() {
         let expected = records(&[outcome("castle main 1280x720", "halfplane avx2 depth")], "here, now");
-        assert_eq!(expected.len(), 4);
+        assert_eq!(expected.len(), 5);
+        assert_eq!((expected[1].meshlets, expected[2].meshlet_bytes), (None, Some(4800)));
         assert_eq!(expected[1].clears, 4.0);
         let folder = std::env::temp_dir().join(format!("halfplane-record-{}", std::process::id()));
         let path = folder.join("a.csv");

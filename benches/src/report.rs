@@ -2,10 +2,11 @@
 
 use std::fmt::Write as _;
 
-use crate::contest::{Outcome, Row};
-use crate::ours::{self, Level};
+use crate::contest::{MAIN, Outcome, Row};
+use crate::ours::{self, Attachments, Level, Preparation};
 use crate::peers;
 use crate::quoted;
+use crate::scenes::View;
 
 /// What is measured, told once before the tables.
 #[must_use]
@@ -13,7 +14,8 @@ pub fn legend() -> String {
     let mut text = String::from(
         "One thread. Times in ms from object-space positions to the finished buffers, clear included, unless said \
          otherwise.\nclears: the minimum over that of clearing 1280x720 u32 in the same view's run. x ours: a peer's \
-         minimum over\nthat of the fastest halfplane depth on the same triangles and camera. px: pixels covered.\n",
+         minimum over\nthat of the fastest halfplane depth on the same triangles and camera. px: pixels covered.\nmeshlets: made once of each mesh, \
+         before any frame; at the fastest level.\n",
     );
     for (name, what) in peers::WHAT {
         let _ = writeln!(text, "* {name}: {what}.");
@@ -25,6 +27,13 @@ pub fn legend() -> String {
     let levels: Vec<&str> = ours::available().into_iter().map(Level::name).collect();
     let _ = writeln!(text, "Levels of halfplane on this machine, fastest first: {}.", levels.join(", "));
     text
+}
+
+/// What was prepared of a scene, once for all its views.
+#[must_use]
+pub fn preparation(view: &View, cost: Preparation) -> String {
+    let scene = view.name.split(' ').next().unwrap_or_default();
+    format!("\n== {scene}: {} triangles, {cost}; in no frame's time\n", view.mesh.triangles())
 }
 
 /// One view's table.
@@ -89,6 +98,9 @@ pub fn summary(outcomes: &[Outcome]) -> String {
     let mut text = String::from("\n== all views, in clears (minima; still camera)\n");
     let levels = ours::available();
     let mut columns: Vec<String> = levels.iter().map(|level| format!("halfplane {}", level.name())).collect();
+    let fastest = ours::fastest();
+    let with_meshlets = [(MAIN, "meshlets"), (Attachments::Depth16, "D16, meshlets")];
+    columns.extend(with_meshlets.map(|(_, name)| name.to_owned()));
     columns.extend(peers::WHAT.map(|(name, _)| name.to_owned()));
     let view_width = outcomes.iter().map(|outcome| outcome.view.len()).max().unwrap_or(0);
     let _ = write!(text, "{:view_width$}", "");
@@ -99,9 +111,10 @@ pub fn summary(outcomes: &[Outcome]) -> String {
     for outcome in outcomes {
         let _ = write!(text, "{:view_width$}", outcome.view);
         let ours = levels.iter().map(|&level| outcome.depth_of(level));
+        let meshlets = with_meshlets.map(|(attachments, _)| outcome.meshlets_of(fastest, attachments));
         let peers =
             peers::WHAT.map(|(name, _)| outcome.rows.iter().find(|row| row.contender == name && !row.moving));
-        for (column, row) in columns.iter().zip(ours.chain(peers)) {
+        for (column, row) in columns.iter().zip(ours.chain(meshlets).chain(peers)) {
             let clears =
                 row.map_or("-".to_owned(), |row| format!("{:.1}", row.summary.min / outcome.clear()));
             let _ = write!(text, "  {clears:>width$}", width = column.len().max(10));
@@ -122,10 +135,11 @@ fn targets(outcomes: &[Outcome]) -> String {
             let _ = writeln!(
                 text,
                 "\n== beside quoted figures, in clears: raw, MOC and ryg were not measured here but on a Zen 3 machine \
-                 with AVX2,\n   where a clear took {} ms\n{:32} {:>18} {:>8} {:>8} {:>8} {:>12} {:>15}",
+                 with AVX2,\n   where a clear took {} ms\n{:32} {:>18} {:>9} {:>8} {:>8} {:>8} {:>12} {:>15}",
                 quoted::CLEAR_MS,
                 "",
                 format!("halfplane {}", fastest.name()),
+                "meshlets",
                 "raw",
                 "MOC",
                 "ryg",
@@ -135,9 +149,12 @@ fn targets(outcomes: &[Outcome]) -> String {
         }
         let [raw, moc, ryg] = quoted.peers_ms.map(|ms| ms / quoted::CLEAR_MS);
         let [avx2, avx512] = quoted.target_clears;
+        let meshlets = outcome.meshlets_of(fastest, MAIN);
+        let meshlets =
+            meshlets.map_or("-".to_owned(), |row| format!("{:.1}", row.summary.min / outcome.clear()));
         let _ = writeln!(
             text,
-            "{:32} {:18.1} {raw:8.1} {moc:8.1} {ryg:8.1} {avx2:12.1} {avx512:15.1}",
+            "{:32} {:18.1} {meshlets:>9} {raw:8.1} {moc:8.1} {ryg:8.1} {avx2:12.1} {avx512:15.1}",
             outcome.view,
             ours.summary.min / outcome.clear()
         );
@@ -165,6 +182,8 @@ mod tests {
             "{table}"
         );
         let summary = summary(&outcomes);
+        // 1.5 ms of 0.5 ms.
+        assert_eq!(summary.matches(" 3.0 ").count(), 2, "{summary}");
         assert!(summary.contains(" 4.0") && summary.contains("target AVX2"), "{summary}");
     }
 }

@@ -130,6 +130,10 @@ pub struct Options {
     /// auto, the best that this machine has. The picture is the same
     #[arg(long, value_name = "LEVEL", default_value = "auto", value_parser = level::parse)]
     pub level: Level,
+    /// Make meshlets of the mesh once, before anything is drawn: runs of triangles with a box round each, so
+    /// that a frame passes over those outside the view. The picture is the same
+    #[arg(long)]
+    pub meshlets: bool,
     /// The folder for the pictures; made if it is not there
     #[arg(long, value_name = "DIR", default_value = "out")]
     pub out: PathBuf,

@@ -17,6 +17,7 @@ use crate::output::{OutputError, Outputs};
 use crate::picture::{self, Look, Zoom};
 use crate::render::{Picture, RenderError, Settings, render, to_clip};
 use crate::scene;
+use crate::target::{Preparation, Prepared};
 use crate::verify;
 
 /// Draws, writes the pictures, prints a report.
@@ -144,6 +145,11 @@ impl Subject {
         let name = path.display().to_string();
         Ok(Self { mesh, name, cameras, place, hand, front, cull, look: Look::Studio })
     }
+
+    /// The meshlets, if they are asked for.
+    pub(crate) fn prepare(&self, options: &Options) -> Result<Option<Prepared>, RenderError> {
+        options.meshlets.then(|| Prepared::new(&self.mesh.positions, &self.mesh.indices)).transpose()
+    }
 }
 
 /// A drawn picture and all it was drawn from.
@@ -152,6 +158,7 @@ struct Drawn {
     matrix: Matrix,
     settings: Settings,
     picture: Picture,
+    preparation: Option<Preparation>,
     times: Vec<(&'static str, Duration)>,
 }
 
@@ -163,9 +170,14 @@ fn draw(file: Option<&Path>, options: &Options) -> Result<Drawn, Error> {
         started = Instant::now();
     };
     let (subject, matrix, settings) = prepare(file, options, &mut lap)?;
-    let picture = render(&subject.mesh, &matrix, &settings)?;
+    let prepared = subject.prepare(options)?;
+    if prepared.is_some() {
+        lap("meshlets");
+    }
+    let picture = render(&subject.mesh, &matrix, &settings, prepared.as_ref())?;
     lap("draw");
-    Ok(Drawn { subject, matrix, settings, picture, times })
+    let preparation = prepared.map(|prepared| prepared.preparation());
+    Ok(Drawn { subject, matrix, settings, picture, preparation, times })
 }
 
 /// All that a draw needs; `lap` is told what has just been done.
@@ -201,12 +213,13 @@ pub(crate) fn prepare(
 
 impl Drawn {
     fn report(&self) -> String {
-        let Self { subject, settings, picture, times, .. } = self;
+        let Self { subject, settings, picture, preparation, times, .. } = self;
+        let preparation = preparation.map_or(String::new(), |preparation| format!("{preparation}\n"));
         let covered = picture.ids.iter().filter(|&&id| id != NO_ID).count();
         let times: Vec<String> =
             times.iter().map(|(name, time)| format!("{name} {}", seconds(*time))).collect();
         format!(
-            "{}: {} triangles, {} vertices\n{}x{} pixels, {covered} covered, depth in {} bits, level {}\n{}\n{}\n",
+            "{}: {} triangles, {} vertices\n{}x{} pixels, {covered} covered, depth in {} bits, level {}\n{preparation}{}\n{}\n",
             subject.name,
             subject.mesh.triangles(),
             subject.mesh.positions.len(),

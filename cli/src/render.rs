@@ -2,13 +2,14 @@
 
 use std::fmt;
 
+use halfplane::simd::MeshletError;
 use halfplane::{Cull, DrawError, Region, RegionError, Standard, State, Statistics, StorageError, Winding};
 
 use crate::args;
 use crate::camera::Matrix;
 use crate::level::Level;
 use crate::mesh::Mesh;
-use crate::target::{Attachments, Target};
+use crate::target::{Attachments, Prepared, Target};
 
 /// What one picture is drawn with.
 #[derive(Debug, Clone, Copy)]
@@ -49,6 +50,8 @@ pub enum RenderError {
     Region(RegionError),
     /// The rasterizer refused its storage.
     Storage(StorageError),
+    /// The rasterizer refused to make meshlets.
+    Meshlets(MeshletError),
     /// The rasterizer refused the draw.
     Draw(DrawError),
     /// The reference refused the scene.
@@ -76,14 +79,20 @@ pub fn to_clip(mesh: &Mesh, matrix: &Matrix) -> Vec<[f32; 4]> {
     mesh.positions.iter().map(|&position| clip(position, matrix)).collect()
 }
 
-/// Draws a mesh.
+/// Draws a mesh, by its meshlets if they were made; no pixel depends on that.
 ///
 /// # Errors
 ///
 /// [`RenderError`] where the rasterizer refuses; not for any mesh that was loaded.
-pub fn render(mesh: &Mesh, matrix: &Matrix, settings: &Settings) -> Result<Picture, RenderError> {
+pub fn render(
+    mesh: &Mesh,
+    matrix: &Matrix,
+    settings: &Settings,
+    prepared: Option<&Prepared>,
+) -> Result<Picture, RenderError> {
     let attachments = Attachments::of(args::Attachments::DepthIds, settings.depth);
     let mut target = Target::new(&mesh.positions, &mesh.indices, &settings.state())?;
+    target.set_meshlets(prepared.map(Prepared::meshlets));
     let statistics = target.frame(settings.level, attachments, matrix)?;
     Ok(Picture {
         width: settings.region.width(),
@@ -108,6 +117,7 @@ impl fmt::Display for RenderError {
         match self {
             Self::Region(error) => error.fmt(f),
             Self::Storage(error) => error.fmt(f),
+            Self::Meshlets(error) => error.fmt(f),
             Self::Draw(error) => error.fmt(f),
             Self::Verify(error) => error.fmt(f),
         }
@@ -125,6 +135,12 @@ impl From<RegionError> for RenderError {
 impl From<StorageError> for RenderError {
     fn from(error: StorageError) -> Self {
         Self::Storage(error)
+    }
+}
+
+impl From<MeshletError> for RenderError {
+    fn from(error: MeshletError) -> Self {
+        Self::Meshlets(error)
     }
 }
 

@@ -1,4 +1,4 @@
-//! `bench` and `--level`: figures that make sense, and the same pictures at every level.
+//! `bench`, `--level` and `--meshlets`: figures that make sense, and the same pictures in every way.
 
 mod common;
 
@@ -64,6 +64,39 @@ fn the_json_has_all_figures_in_order() {
 }
 
 #[test]
+fn meshlets_change_no_other_figure() {
+    let folder = Folder::new("bench_meshlets");
+    folder.write("slope.obj", OBJ);
+    let slope = ["slope.obj", "--matrix", IDENTITY, "--size", "64x36", "--cull", "back"];
+    let built_in = ["--size", "160x90", "--moving", "--attachments", "depth+ids"];
+    let keys = ["meshlets", "prepare_ms", "meshlet_bytes"];
+    for (scene, least) in [(&slope[..], 1.0), (&built_in, 20.0)] {
+        for level in level::available() {
+            let arguments = [scene, &["--level", level.name()]].concat();
+            let plain = bench(&folder, &arguments);
+            let object = bench(&folder, &[&arguments[..], &["--meshlets"]].concat());
+            for key in keys {
+                assert!(plain.get(key).is_none(), "{plain}");
+                assert!(number(&object, key) > 0.0, "{object}");
+            }
+            let meshlets = number(&object, "meshlets");
+            assert!(meshlets >= least && number(&object, "meshlet_bytes") >= 1000.0 * meshlets, "{object}");
+            for key in ["scene", "size", "level", "triangles", "vertices", "drawn", "covered", "frames"] {
+                assert_eq!(plain[key], object[key], "{key} {}", level.name());
+            }
+            let names = |object: &Value| {
+                let names = object.as_object().unwrap().keys().cloned();
+                names.filter(|name| !keys.contains(&&**name)).collect::<Vec<_>>()
+            };
+            assert_eq!(names(&plain), names(&object));
+            assert!(number(&object, "min_ms") > 0.0 && number(&object["limits"], "transform_ms") >= 0.0);
+        }
+    }
+    let report = folder.succeed(&["bench", "--size", "160x90", "--frames", "3", "--meshlets"]);
+    assert!(report.contains(" meshlets of ") && report.contains(" bytes, made once in "), "{report}");
+}
+
+#[test]
 fn the_table_has_the_limits_of_the_same_run() {
     let folder = Folder::new("bench_table");
     let report = folder.succeed(&["bench", "--size", "160x90", "--frames", "3", "--warm-up", "1"]);
@@ -84,14 +117,23 @@ fn every_level_gives_the_same_bits() {
         for &depth in depths {
             let pictures = level::available().into_iter().map(|level| {
                 let options = ["--level", level.name(), "--depth", depth, "--raw"];
-                let report = folder.succeed(&[&["render"], scene, &options].concat());
-                assert!(report.contains(&format!("level {}\n", level.name())), "{report}");
-                (level.name(), folder.read("out/depth.u32"), folder.read("out/ids.u32"))
+                ["", "--meshlets"].map(|way| {
+                    let more: &[&str] = if way.is_empty() { &[] } else { &[way] };
+                    let report = folder.succeed(&[&["render"], scene, &options, more].concat());
+                    assert!(report.contains(&format!("level {}\n", level.name())), "{report}");
+                    assert_eq!(report.contains(" meshlets of "), !way.is_empty(), "{report}");
+                    let is_count = |line: &&str| {
+                        ["submitted", "culled", "rejected"].iter().any(|name| line.starts_with(name))
+                    };
+                    let counts: Vec<_> = report.lines().filter(is_count).map(str::to_owned).collect();
+                    assert_eq!(counts.len(), 3, "{report}");
+                    let picture = (folder.read("out/depth.u32"), folder.read("out/ids.u32"), counts);
+                    ((level.name(), way), picture)
+                })
             });
-            let pictures: Vec<_> = pictures.collect();
-            let (_, depths, ids) = &pictures[0];
-            for (level, other_depths, other_ids) in &pictures {
-                assert!(depths == other_depths && ids == other_ids, "{level} {depth} {scene:?}");
+            let pictures: Vec<_> = pictures.flatten().collect();
+            for (how, picture) in &pictures {
+                assert!(picture == &pictures[0].1, "{how:?} {depth} {scene:?}");
             }
         }
     }
@@ -101,8 +143,12 @@ fn every_level_gives_the_same_bits() {
 fn every_level_is_verified() {
     let folder = Folder::new("levels_verified");
     for level in level::available() {
-        let report = folder.succeed(&["verify", "--size", "96x54", "--level", level.name()]);
-        assert!(report.contains("mismatching pixels: 0\n"), "{report}");
-        assert!(report.contains(&format!("level {}\n", level.name())), "{report}");
+        let plain = ["verify", "--size", "96x54", "--level", level.name()];
+        for more in [&[][..], &["--meshlets"]] {
+            let report = folder.succeed(&[&plain[..], more].concat());
+            assert!(report.contains("mismatching pixels: 0\n"), "{report}");
+            assert!(report.contains(&format!("level {}\n", level.name())), "{report}");
+            assert_eq!(report.contains(" meshlets of "), !more.is_empty(), "{report}");
+        }
     }
 }

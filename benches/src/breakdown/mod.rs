@@ -74,14 +74,25 @@ impl Part {
 }
 
 /// The files and folders of the core, and what their code does.
-const FILES: [(&str, Option<Part>); 28] = [
+const FILES: [(&str, Option<Part>); 36] = [
     ("simd/vertex", Some(Part::Transform)),
+    ("simd/frustum", Some(Part::Cull)),
+    ("simd/meshlet", Some(Part::Cull)),
+    // Before `window`, which it begins with.
+    ("simd/windows", Some(Part::Traversal)),
+    // Its vertices are transformed in `vertex`; the rest is indices.
+    ("simd/window", Some(Part::Cull)),
+    ("simd/source", Some(Part::Cull)),
     ("simd/fetch", Some(Part::Cull)),
     ("simd/cull", Some(Part::Cull)),
     ("simd/queue", Some(Part::Cull)),
     ("simd/setup", Some(Part::SetUp)),
+    ("simd/blocks", Some(Part::Traversal)),
     ("simd/rows", Some(Part::Traversal)),
     ("simd/attachment", Some(Part::Depth)),
+    // Of cull and of set-up.
+    ("simd/extent", None),
+    ("simd/draw", None),
     ("simd/pipeline", None),
     ("simd/ops", None),
     ("simd/level", None),
@@ -115,6 +126,8 @@ mod tests {
     fn files_belong_to_stages() {
         assert_eq!(Part::of("/somewhere/core/src/simd/rows.rs"), Some(Part::Traversal));
         assert_eq!(Part::of("core/src/simd/rows/solve.rs"), Some(Part::Traversal));
+        assert_eq!(Part::of("core/src/simd/windows.rs"), Some(Part::Traversal));
+        assert_eq!(Part::of("core/src/simd/window.rs"), Some(Part::Cull));
         assert_eq!(Part::of("C:\\x\\core\\src\\transform\\clip.rs"), Some(Part::Transform));
         assert_eq!(Part::of("core/src/numbers/wide.rs"), None);
         assert_eq!(Part::of("/rustc/abc/library/core/src/slice/mod.rs"), None);

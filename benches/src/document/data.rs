@@ -62,6 +62,14 @@ impl Data {
         self.of(view, &format!("halfplane {level} depth"), false)
     }
 
+    /// What a level took for a view by attachments (`depth`, `depth D16`), with or without meshlets, with the
+    /// camera standing still.
+    #[must_use]
+    pub fn way(&self, view: &str, level: &str, attachments: &str, meshlets: bool) -> Option<&Record> {
+        let with = if meshlets { ", meshlets" } else { "" };
+        self.of(view, &format!("halfplane {level} {attachments}{with}"), false)
+    }
+
     /// Milliseconds of the read-modify-write of a 32-bit pixel in a view's run.
     #[must_use]
     pub fn read_modify_write(&self, view: &str) -> Option<f64> {

@@ -83,6 +83,18 @@ fn comparison(data: &Data, scene: &str) -> Vec<bars::Group> {
             let value = data.depth(view, level)?.clears;
             Some(Bar { name: format!("halfplane {level}"), value, colour: 0, quoted: false })
         });
+        // At the fastest level: what half the depth and meshlets change.
+        let ways = [
+            ("depth D16", false, "D16", 0),
+            ("depth", true, "meshlets", 4),
+            ("depth D16", true, "D16, meshlets", 4),
+        ];
+        let fastest = data.levels().first().copied();
+        let ways = ways.into_iter().filter_map(move |(attachments, meshlets, name, colour)| {
+            let level = fastest?;
+            let value = data.way(view, level, attachments, meshlets)?.clears;
+            Some(Bar { name: format!("halfplane {level}, {name}"), value, colour, quoted: false })
+        });
         let crates = peers::WHAT.into_iter().filter_map(|(name, _)| {
             let record = data.of(view, name, false)?;
             let flat = record.kind == crate::contest::Kind::Peer2d;
@@ -97,7 +109,7 @@ fn comparison(data: &Data, scene: &str) -> Vec<bars::Group> {
                 quoted: true,
             })
         });
-        bars::Group { name: view.to_owned(), bars: ours.chain(crates).chain(quoted).collect() }
+        bars::Group { name: view.to_owned(), bars: ours.chain(ways).chain(crates).chain(quoted).collect() }
     };
     views.map(group).filter(|group| !group.bars.is_empty()).collect()
 }
@@ -211,6 +223,7 @@ mod tests {
         let texts: Vec<_> = files.iter().map(|file| fs::read_to_string(file).unwrap()).collect();
         fs::remove_dir_all(&folder).unwrap();
         assert_eq!(texts.len(), 5);
+        assert!(texts[0].contains("halfplane avx2, meshlets") && !texts[0].contains("D16"), "{}", texts[0]);
         for (text, part) in texts.iter().zip(["raw (quoted)", "slope 1", "samples", "0.750", "4.00"]) {
             assert!(text.contains(part), "{part}: {text}");
         }

@@ -3,7 +3,9 @@
 
 pub mod data;
 pub mod figures;
+mod markdown;
 pub mod tables;
+mod targets;
 
 /// Puts `body` between the markers of `name`, in place of what is there.
 ///

@@ -3,6 +3,8 @@
 use std::fmt::Write as _;
 
 use super::data::Data;
+use super::markdown::{cell, head, markdown};
+use super::targets;
 use crate::breakdown::Part;
 use crate::contest::Kind;
 use crate::peers;
@@ -12,10 +14,17 @@ use crate::quoted;
 pub type Table = fn(&Data) -> Option<String>;
 
 /// The tables, by the names of their markers, in the document's order.
-pub const ALL: [(&str, Table); 10] = [
+pub const ALL: [(&str, Table); 18] = [
     ("machine", machine),
     ("comparison", comparison),
     ("times", times),
+    ("meshlets", targets::meshlets),
+    ("targets", targets::frames),
+    ("targets-attachments", targets::attachments),
+    ("targets-crates", targets::crates),
+    ("targets-fallback", targets::fallback),
+    ("targets-large", targets::large),
+    ("targets-growth", targets::growth),
     ("stages", stages),
     ("growth", growth),
     ("pixels", pixels),
@@ -23,28 +32,8 @@ pub const ALL: [(&str, Table); 10] = [
     ("attachments", attachments),
     ("limits", limits),
     ("peers", about_peers),
+    ("quoted", targets::all_quoted),
 ];
-
-/// A Markdown table: the first column to the left, the others to the right.
-fn markdown(head: &[String], rows: &[Vec<String>]) -> Option<String> {
-    if rows.is_empty() {
-        return None;
-    }
-    let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
-    let mut text = line(head);
-    let _ = writeln!(text, "|---|{}", "---:|".repeat(head.len() - 1));
-    rows.iter().for_each(|row| text.push_str(&line(row)));
-    Some(text)
-}
-
-fn head(names: &[&str]) -> Vec<String> {
-    names.iter().map(|&name| name.to_owned()).collect()
-}
-
-/// A number, or nothing.
-fn cell(value: Option<f64>, digits: usize) -> String {
-    value.map_or_else(|| "–".to_owned(), |value| format!("{value:.digits$}"))
-}
 
 fn machine(data: &Data) -> Option<String> {
     let mut machines: Vec<&str> = data.records.iter().map(|record| &*record.machine).collect();
@@ -57,12 +46,16 @@ fn comparison(data: &Data) -> Option<String> {
     let levels = data.levels();
     let mut names = vec!["clears".to_owned()];
     names.extend(levels.iter().map(|level| format!("halfplane {level}")));
+    let fastest = *levels.first()?;
+    names.extend(["meshlets", "D16, meshlets"].map(|way| format!("halfplane {fastest}, {way}")));
     names.extend(peers::WHAT.map(|(name, _)| name.to_owned()));
     names.extend(quoted::WHAT.map(|(name, _)| format!("*{name}* ¹")));
     let rows = data.scenes().into_iter().map(|view| {
         let ours = levels.iter().map(|level| data.depth(view, level));
+        let meshlets = ["depth", "depth D16"].map(|attachments| data.way(view, fastest, attachments, true));
         let peers = peers::WHAT.map(|(name, _)| data.of(view, name, false));
-        let measured = ours.chain(peers).map(|record| cell(record.map(|record| record.clears), 1));
+        let measured =
+            ours.chain(meshlets).chain(peers).map(|record| cell(record.map(|record| record.clears), 1));
         let quoted = quoted::of(view).map_or([None; 3], |quoted| quoted.peers_ms.map(Some));
         let quoted =
             quoted.map(|ms| ms.map_or("–".to_owned(), |ms| format!("*{:.1}*", ms / quoted::CLEAR_MS)));
@@ -93,10 +86,10 @@ fn times(data: &Data) -> Option<String> {
     ]);
     let mut rows = Vec::new();
     for view in data.scenes() {
-        for moving in [false, true] {
-            let Some(r) = data.of(view, &format!("halfplane {level} depth"), moving) else { continue };
+        for (with, moving) in [("", false), ("", true), (", meshlets", false), (", meshlets", true)] {
+            let Some(r) = data.of(view, &format!("halfplane {level} depth{with}"), moving) else { continue };
             let times = [r.min_ms, r.p25_ms, r.median_ms, r.p75_ms, r.max_ms, r.mean_ms, r.sdev_ms];
-            let mut row = vec![view.to_owned(), if moving { "moving" } else { "still" }.to_owned()];
+            let mut row = vec![view.to_owned(), format!("{}{with}", if moving { "moving" } else { "still" })];
             row.extend(times.map(|time| cell(Some(time), 3)));
             row.extend([r.frames.to_string(), r.triangles.to_string()]);
             row.push(r.covered.map_or(String::new(), |covered| covered.to_string()));
@@ -194,12 +187,13 @@ fn micro(data: &Data) -> Option<String> {
 fn attachments(data: &Data) -> Option<String> {
     let level = *data.levels().first()?;
     let kinds = crate::ours::MEASURED.map(|attachments| attachments.name());
+    let kinds = kinds.into_iter().chain(["depth, meshlets", "depth D16, meshlets"]);
     let mut names = head(&["ms (× depth)"]);
-    names.extend(kinds.map(str::to_owned));
+    names.extend(kinds.clone().map(str::to_owned));
     let rows = data.scenes().into_iter().filter_map(|view| {
         let depth = data.depth(view, level)?.min_ms;
         let mut row = vec![view.to_owned()];
-        row.extend(kinds.map(|kind| {
+        row.extend(kinds.clone().map(|kind| {
             let record = data.of(view, &format!("halfplane {level} {kind}"), false);
             record.map_or("–".to_owned(), |r| format!("{:.3} ({:.2})", r.min_ms, r.min_ms / depth))
         }));
@@ -230,7 +224,7 @@ fn about_peers(_: &Data) -> Option<String> {
     for (name, what) in peers::WHAT {
         let _ = writeln!(text, "* **{name}**: {what}.");
     }
-    for (name, what) in quoted::WHAT {
+    for (name, what) in quoted::WHAT.into_iter().chain(quoted::MORE) {
         let _ = writeln!(text, "* *{name}* (quoted): {what}.");
     }
     Some(text)
@@ -249,11 +243,20 @@ fn ends(data: &Data) -> Vec<&str> {
 mod tests {
     use super::*;
     use crate::breakdown::table::Row;
-    use crate::record::{records, tests::outcome};
+    use crate::record::{
+        records,
+        tests::{outcome, row},
+    };
 
     fn data() -> Data {
-        let views = ["castle main 1280x720", "growth 10^3", "pixels 10^4", "micro slivers"];
-        let outcomes = views.map(|view| outcome(view, "halfplane avx2 depth"));
+        let views = ["castle main 1280x720", "growth 10^3", "pixels 10^4", "micro slivers", "growth 10^4"];
+        let mut outcomes = views.map(|view| outcome(view, "halfplane avx2 depth"));
+        for outcome in &mut outcomes {
+            let limit = crate::contest::READ_MODIFY_WRITE;
+            outcome.rows.push(row(limit, Kind::Limit, 1.0));
+            outcome.rows.push(row("euc", Kind::Peer, 13.0));
+            outcome.samples = 1_000_000;
+        }
         let stage = |part, ms| Row {
             view: views[0].to_owned(),
             level: "avx2".to_owned(),
@@ -279,9 +282,11 @@ mod tests {
                 .collect();
             assert!(columns.iter().all(|count| *count == columns[0]), "{name}: {table}");
         }
+        assert!(times(&data).unwrap().contains("| castle main 1280x720 | still, meshlets | 1.500 |"));
+        assert!(attachments(&data).unwrap().contains("| 1.500 (0.75) |"));
         let comparison = comparison(&data).unwrap();
         // 0.74 ms of 0.054 ms.
-        assert!(comparison.contains("| castle main 1280x720 | 4.0 | 40.0 | – |"), "{comparison}");
+        assert!(comparison.contains("| castle main 1280x720 | 4.0 | 40.0 | 3.0 | – |"), "{comparison}");
         assert!(comparison.contains("*13.7*"), "{comparison}");
         // 2 ms for 10 triangles.
         assert!(growth(&data).unwrap().contains("| growth 10^3 | 10 | 2.000 | 200000.00 |"));
@@ -290,7 +295,7 @@ mod tests {
 
     #[test]
     fn nothing_measured_is_no_table() {
-        for (name, table) in ALL.into_iter().filter(|(name, _)| *name != "peers") {
+        for (name, table) in ALL.into_iter().filter(|(name, _)| !["peers", "quoted"].contains(name)) {
             assert_eq!(table(&Data::default()), None, "{name}");
         }
     }

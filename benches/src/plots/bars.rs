@@ -30,7 +30,7 @@ pub struct Group {
 }
 
 const WIDTH: i32 = 960;
-const LEFT: i32 = 210;
+const LEFT: i32 = 240;
 const RIGHT: i32 = 60;
 const TOP: i32 = 64;
 const BAR: i32 = 18;

@@ -17,7 +17,7 @@ use crate::measure::limits::{CLEAR_PIXELS, Limit};
 use crate::measure::motion::Motion;
 use crate::measure::protocol::{Contender, Frame, Plan, Summary, measure};
 use crate::render::Settings;
-use crate::target::{self, Stage, Target};
+use crate::target::{self, Preparation, Prepared, Stage, Target};
 
 /// What was measured, and of what.
 #[derive(Debug, Clone)]
@@ -40,6 +40,8 @@ pub struct Outcome {
     pub vertices: usize,
     /// Triangles of the mesh.
     pub triangles: usize,
+    /// What the meshlets cost, if they were made.
+    pub preparation: Option<Preparation>,
     /// What became of the triangles, where the camera stands.
     pub statistics: Statistics,
     /// Pixels covered there.
@@ -79,7 +81,9 @@ fn run(subject: &Subject, matrix: &Matrix, settings: &Settings, arguments: &Benc
     let mesh = &subject.mesh;
     let (level, attachments) =
         (settings.level, target::Attachments::of(arguments.attachments, settings.depth));
+    let prepared = subject.prepare(&arguments.picture.options)?;
     let mut target = Target::new(&mesh.positions, &mesh.indices, &settings.state())?;
+    target.set_meshlets(prepared.as_ref().map(Prepared::meshlets));
     let statistics = target.frame(level, attachments, matrix)?;
     let covered = target.covered(attachments);
 
@@ -117,6 +121,7 @@ fn run(subject: &Subject, matrix: &Matrix, settings: &Settings, arguments: &Benc
         warm_up: arguments.warm_up,
         vertices: mesh.positions.len(),
         triangles: mesh.triangles(),
+        preparation: prepared.as_ref().map(Prepared::preparation),
         statistics,
         covered,
         limits: Limits { clear: summary(0), read_modify_write: summary(1), transform: summary(2) },

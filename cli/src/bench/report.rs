@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use super::{Limits, Outcome};
 use crate::args::Attachments;
 use crate::measure::protocol::Summary;
+use crate::target::Preparation;
 
 impl Outcome {
     /// A time in clears: of minima.
@@ -24,9 +25,10 @@ impl Outcome {
             Attachments::DepthIds => format!("depth in {bits} bits and ids"),
             Attachments::Ids | Attachments::Coverage => self.attachments.name().to_owned(),
         };
+        let preparation = self.preparation.map_or(String::new(), |preparation| format!("{preparation}\n"));
         let camera = if self.moving { "moving" } else { "standing still" };
         let mut text = format!(
-            "{}: {} triangles, {} vertices\n{width}x{height} pixels, {} covered, {written}, level {}\n{}\n\
+            "{}: {} triangles, {} vertices\n{width}x{height} pixels, {} covered, {written}, level {}\n{preparation}{}\n\
              one thread; camera {camera}; {} frames measured after {} to warm up; times in ms\n\n",
             self.scene,
             self.triangles,
@@ -65,7 +67,8 @@ impl Outcome {
         text
     }
 
-    /// One JSON object in one line. All names ending in `_ms` are milliseconds; limits are minima.
+    /// One JSON object in one line. All names ending in `_ms` are milliseconds; limits are minima. What is
+    /// said of meshlets is absent where there are none.
     #[must_use]
     pub fn json(&self) -> String {
         let (width, height) = self.size;
@@ -78,6 +81,9 @@ impl Outcome {
         let _ = write!(text, ",\"frames\":{},\"warm_up\":{}", s.frames, self.warm_up);
         let _ = write!(text, ",\"triangles\":{},\"vertices\":{}", self.triangles, self.vertices);
         let _ = write!(text, ",\"drawn\":{},\"covered\":{}", self.statistics.drawn, self.covered);
+        if let Some(Preparation { meshlets, ms, bytes }) = self.preparation {
+            let _ = write!(text, ",\"meshlets\":{meshlets},\"prepare_ms\":{ms:.6},\"meshlet_bytes\":{bytes}");
+        }
         for (name, time) in [
             ("min_ms", s.min),
             ("p25_ms", s.p25),

@@ -163,7 +163,7 @@ fn mirror(mesh: &Mesh, matrix: &Matrix, picture: &Picture) -> Result<Picture, Re
         depth: DepthFormat::D32,
         level: Level::detect(),
     };
-    render(&Mesh::plain(positions, indices), matrix, &settings)
+    render(&Mesh::plain(positions, indices), matrix, &settings, None)
 }
 
 /// The nearest and farthest corner along the sight in the middle of the picture.

@@ -3,15 +3,18 @@
 
 mod attachments;
 mod buffers;
+mod prepared;
 
 use std::hint::black_box;
 
-use halfplane::simd::{self, RowAttachment, Snapped, Triangles};
+use halfplane::simd::{self, Meshlet, MeshletScratch, RowAttachment, Snapped, Triangles};
 use halfplane::{
     ClipPositions, ModelPositions, Positions as _, Standard, State, Statistics, Triangle, Viewport, draw,
 };
 
 pub use attachments::Attachments;
+pub use prepared::{Preparation, Prepared};
+
 use buffers::{Buffers, Visitor};
 
 use crate::camera::Matrix;
@@ -27,7 +30,7 @@ use crate::render::{RenderError, clip};
 pub enum Stage {
     /// The clear of the attachments.
     Clear(Attachments),
-    /// The vertices alone: at the vector levels a draw of no triangles, at the fallback level the product
+    /// The vertices alone, all of them: at the vector levels a draw of no triangles, at the fallback level the product
     /// of every position and the matrix.
     Transform,
     /// Assembly, rejection, clipping, division, snapping, culling, edges and bounds of every triangle;
@@ -47,8 +50,12 @@ pub struct Target<'m> {
     positions: &'m [[f32; 3]],
     indices: &'m [u32],
     triangles: Triangles<'m, u32>,
+    /// Drawn instead of the triangles, if there are any.
+    meshlets: Option<&'m [Meshlet]>,
     state: State<Standard>,
     viewport: Viewport<Standard>,
+    /// Of meshlets.
+    scratch: Box<MeshletScratch>,
     /// Of the vector levels.
     records: Buffer<Snapped>,
     /// Of the fallback level.
@@ -71,12 +78,19 @@ impl<'m> Target<'m> {
             positions,
             indices,
             triangles: Triangles::new(indices, positions.len())?,
+            meshlets: None,
             state: *state,
             viewport: Viewport::new(state.scissor),
+            scratch: Box::default(),
             records: Buffer::new(0, Snapped::default()),
             clip: Buffer::new(0, [0.0; 4]),
             buffers: Buffers::new(state.scissor),
         })
+    }
+
+    /// From now on draws meshlets of the same mesh, which change no picture; without any, its triangles.
+    pub fn set_meshlets(&mut self, meshlets: Option<&'m [Meshlet]>) {
+        self.meshlets = meshlets;
     }
 
     /// Everything from positions and a matrix to finished buffers: clear, transform, draw.
@@ -91,10 +105,14 @@ impl<'m> Target<'m> {
         matrix: &Matrix,
     ) -> Result<Statistics, RenderError> {
         self.buffers.clear(attachments)?;
-        if level::is_fallback(level) {
+        if level::is_fallback(level) && self.meshlets.is_none() {
             self.transform_fallback(matrix);
         }
-        self.draw(level, attachments, matrix, self.triangles)
+        self.draw(level, attachments, matrix, self.drawn())
+    }
+
+    fn drawn(&self) -> Drawn<'m> {
+        self.meshlets.map_or(Drawn::Triangles(self.triangles), Drawn::Meshlets)
     }
 
     /// Whether a level has a stage that can be measured apart.
@@ -121,7 +139,7 @@ impl<'m> Target<'m> {
             }
             Stage::Transform => {
                 let none = Triangles::new(&[], self.positions.len())?;
-                black_box(self.draw(level, Attachments::Coverage, matrix, none)?);
+                black_box(self.draw(level, Attachments::Coverage, matrix, Drawn::Triangles(none))?);
                 black_box(self.records.as_slice());
             }
             Stage::Setup => self.set_up_fallback(),
@@ -130,7 +148,7 @@ impl<'m> Target<'m> {
                 black_box(draw(&clip, self.indices, 0, &self.state, &mut ())?);
             }
             Stage::Draw(attachments) => {
-                black_box(self.draw(level, attachments, matrix, self.triangles)?);
+                black_box(self.draw(level, attachments, matrix, self.drawn())?);
             }
             Stage::Frame(attachments) => {
                 black_box(self.frame(level, attachments, matrix)?);
@@ -167,9 +185,10 @@ impl<'m> Target<'m> {
         level: Level,
         attachments: Attachments,
         matrix: &Matrix,
-        triangles: Triangles<'m, u32>,
+        drawn: Drawn<'m>,
     ) -> Result<Statistics, RenderError> {
-        if !level::is_fallback(level) && self.records.as_slice().len() < self.positions.len() {
+        let listed = matches!(drawn, Drawn::Triangles(_));
+        if listed && !level::is_fallback(level) && self.records.as_slice().len() < self.positions.len() {
             self.records = Buffer::new(self.positions.len(), Snapped::default());
         }
         let shot = Shot {
@@ -177,9 +196,10 @@ impl<'m> Target<'m> {
             matrix,
             positions: self.positions,
             indices: self.indices,
-            triangles,
+            drawn,
             state: &self.state,
             viewport: self.viewport,
+            scratch: &mut self.scratch,
             records: self.records.as_mut_slice(),
             clip: self.clip.as_slice(),
         };
@@ -217,15 +237,23 @@ impl<'m> Target<'m> {
     }
 }
 
+/// What a draw is told to draw.
+#[derive(Clone, Copy)]
+enum Drawn<'m> {
+    Triangles(Triangles<'m, u32>),
+    Meshlets(&'m [Meshlet]),
+}
+
 /// One draw, whatever it writes.
 struct Shot<'a> {
     level: Level,
     matrix: &'a Matrix,
     positions: &'a [[f32; 3]],
     indices: &'a [u32],
-    triangles: Triangles<'a, u32>,
+    drawn: Drawn<'a>,
     state: &'a State<Standard>,
     viewport: Viewport<Standard>,
+    scratch: &'a mut MeshletScratch,
     records: &'a mut [Snapped],
     clip: &'a [[f32; 4]],
 }
@@ -234,14 +262,22 @@ impl Visitor for Shot<'_> {
     type Result = Result<Statistics, RenderError>;
 
     fn visit<A: RowAttachment>(self, attachments: &mut A) -> Self::Result {
-        let Self { level, state, viewport, triangles, .. } = self;
+        let Self { level, state, viewport, scratch, .. } = self;
+        let m = self.matrix;
+        let rows = [0, 4, 8, 12].map(|row| [m[row], m[row + 1], m[row + 2], m[row + 3]]);
+        let triangles = match self.drawn {
+            Drawn::Triangles(triangles) => triangles,
+            Drawn::Meshlets(meshlets) => {
+                let drawn =
+                    simd::draw_meshlets(level, meshlets, rows, viewport, scratch, 0, state, attachments);
+                return Ok(drawn?);
+            }
+        };
         if level::is_fallback(level) {
             // Vertices are transformed once each, not once for every corner.
             let positions = ClipPositions::new(self.clip, viewport);
             return Ok(draw(&positions, self.indices, 0, state, attachments)?);
         }
-        let m = self.matrix;
-        let rows = [0, 4, 8, 12].map(|row| [m[row], m[row + 1], m[row + 2], m[row + 3]]);
         let positions = ModelPositions::new(self.positions, rows, viewport);
         Ok(simd::draw(level, &positions, self.records, triangles, 0, state, attachments)?)
     }
@@ -272,6 +308,7 @@ mod tests {
     fn every_level_draws_the_same() {
         let (mesh, matrix) = view();
         let mirrored = std::array::from_fn(|k| if k % 4 == 0 { -matrix[k] } else { matrix[k] });
+        let prepared = Prepared::new(&mesh.positions, &mesh.indices).unwrap();
         let mut target = Target::new(&mesh.positions, &mesh.indices, &state()).unwrap();
         for attachments in Attachments::ALL {
             let picture = |target: &mut Target<'_>, level| {
@@ -285,11 +322,14 @@ mod tests {
             let (depths, ids) = &fallback.3;
             assert_eq!(depths.is_empty(), !(attachments.has_depth32() || attachments.has_depth16()));
             assert_eq!(ids.is_empty(), !attachments.has_ids());
-            for level in level::available() {
+            let ways = [None, Some(prepared.meshlets())];
+            for (level, way) in level::available().into_iter().flat_map(|l| ways.map(|way| (l, way))) {
+                target.set_meshlets(way);
                 // The second frame must not see the first.
                 target.frame(level, attachments, &mirrored).unwrap();
                 target.stage(level, Stage::Transform, &matrix).unwrap();
-                assert!(picture(&mut target, level) == fallback, "{attachments:?} {}", level.name());
+                let how = (attachments, level.name(), way.map(<[_]>::len));
+                assert!(picture(&mut target, level) == fallback, "{how:?}");
             }
         }
     }
@@ -299,7 +339,10 @@ mod tests {
         let (mesh, matrix) = view();
         let mut target = Target::new(&mesh.positions, &mesh.indices, &state()).unwrap();
         let attachments = Attachments::DepthIds32;
-        for level in level::available() {
+        let prepared = Prepared::new(&mesh.positions, &mesh.indices).unwrap();
+        let ways = [None, Some(prepared.meshlets())];
+        for (level, way) in level::available().into_iter().flat_map(|l| ways.map(|way| (l, way))) {
+            target.set_meshlets(way);
             target.frame(level, attachments, &matrix).unwrap();
             let whole = target.fingerprint(attachments);
             target.stage(level, Stage::Clear(attachments), &matrix).unwrap();

@@ -121,6 +121,7 @@ mod tests {
     use crate::level::{self, Level};
     use crate::mesh::Mesh;
     use crate::render::{render, to_clip};
+    use crate::target::Prepared;
     use halfplane::Region;
 
     fn settings(cull: Cull, depth: DepthFormat, level: Level) -> Settings {
@@ -147,10 +148,14 @@ mod tests {
         let mesh = Mesh::plain(POSITIONS.to_vec(), (0..6).collect());
         let clip = to_clip(&mesh, &MATRIX);
         let formats = [DepthFormat::D32, DepthFormat::D16];
-        for (level, depth) in level::available().into_iter().flat_map(|l| formats.map(|d| (l, d))) {
+        let prepared = Prepared::new(&mesh.positions, &mesh.indices).unwrap();
+        let ways = [None, Some(&prepared)].into_iter().flat_map(|way| formats.map(|depth| (way, depth)));
+        for (level, (way, depth)) in
+            level::available().into_iter().flat_map(|l| ways.clone().map(move |w| (l, w)))
+        {
             for cull in [Cull::None, Cull::Back, Cull::Front] {
                 let settings = settings(cull, depth, level);
-                let mut picture = render(&mesh, &MATRIX, &settings).unwrap();
+                let mut picture = render(&mesh, &MATRIX, &settings, way).unwrap();
                 let (scene, whole) = assemble(&clip, &mesh.indices, &settings);
                 assert_eq!(whole.len(), 1);
                 let report = compare(&scene, &picture, &|_| ()).unwrap();

@@ -1,5 +1,7 @@
 //! One view: machine limits, the rasterizer and its peers, all in turns.
 
+mod same;
+
 use std::cell::RefCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
@@ -9,10 +11,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::limits::{CLEAR_PIXELS, Limit};
 use crate::options::Options;
-use crate::ours::{self, Attachments, Level, MEASURED, Stage, Target, drawn};
+use crate::ours::{self, Attachments, Level, MEASURED, Preparation, Prepared, Stage, Target, drawn};
 use crate::peers::{self, Peer, visible::Visible};
 use crate::protocol::{Contender, Frame, Plan, Summary, measure};
 use crate::scenes::View;
+use same::same_picture;
 
 /// What the rows of a contest are about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -24,6 +27,8 @@ pub enum Kind {
     Limit,
     /// The rasterizer.
     Ours,
+    /// The rasterizer with meshlets that were made beforehand.
+    OursMeshlets,
     /// The rasterizer on the triangles that 2D crates are given.
     OursVisible,
     /// A crate that draws the mesh from object space.
@@ -45,6 +50,8 @@ pub struct Row {
     pub triangles: usize,
     /// Pixels covered in the view's own frame.
     pub covered: Option<usize>,
+    /// What was prepared once and is not in the times.
+    pub preparation: Option<Preparation>,
     /// The times.
     pub summary: Summary,
 }
@@ -91,6 +98,13 @@ impl Outcome {
             .or_else(|| self.rows.iter().find(same))
     }
 
+    /// The row of a level's depth or 16-bit depth with meshlets, of the view's own camera.
+    #[must_use]
+    pub fn meshlets_of(&self, level: Level, attachments: Attachments) -> Option<&Row> {
+        let name = meshlets_name(level, attachments);
+        self.rows.iter().find(|row| row.kind == Kind::OursMeshlets && !row.moving && row.contender == name)
+    }
+
     /// The row of a level's depth, of the view's own camera.
     #[must_use]
     pub fn depth_of(&self, level: Level) -> Option<&Row> {
@@ -102,6 +116,13 @@ impl Outcome {
 fn ours_name(level: Level, attachments: Attachments) -> String {
     format!("halfplane {} {}", level.name(), attachments.name())
 }
+
+fn meshlets_name(level: Level, attachments: Attachments) -> String {
+    format!("{}, meshlets", ours_name(level, attachments))
+}
+
+/// The attachments that are measured with meshlets, at the fastest level.
+const WITH_MESHLETS: [Attachments; 2] = [MAIN, Attachments::Depth16];
 
 /// Contenders, and what is known of them before they are timed.
 struct Field<'a> {
@@ -120,15 +141,16 @@ impl<'a> Field<'a> {
     }
 }
 
-/// Measures one view. All levels must draw the same picture first.
+/// Measures one view, with meshlets too if there are any. All levels must draw the same picture first, in
+/// every way.
 ///
 /// # Errors
 ///
 /// Which level drew another picture.
-pub fn run(view: &View, options: &Options) -> Result<Outcome, String> {
+pub fn run(view: &View, prepared: Option<&Prepared>, options: &Options) -> Result<Outcome, String> {
     let levels = ours::available();
     let target = RefCell::new(ours::target(view));
-    let covered = same_picture(view, &mut target.borrow_mut(), &levels)?;
+    let covered = same_picture(view, prepared, &mut target.borrow_mut(), &levels)?;
     let visible = Visible::new(view);
     let (unit, same_size) = (RefCell::new(Limit::new(CLEAR_PIXELS)), RefCell::new(Limit::new(view.pixels())));
     let visible_target = RefCell::new(ours::with_indices(view, &visible.indices));
@@ -145,6 +167,7 @@ pub fn run(view: &View, options: &Options) -> Result<Outcome, String> {
         moving: false,
         triangles: view.mesh.triangles(),
         covered: Some(covered),
+        preparation: None,
         summary: Summary::default(),
     };
     for (place, &level) in levels.iter().enumerate() {
@@ -160,11 +183,23 @@ pub fn run(view: &View, options: &Options) -> Result<Outcome, String> {
                     continue;
                 }
                 let row = Row { contender: ours_name(level, attachments), moving, ..row.clone() };
-                let (target, motion) = (&target, view.motion());
-                let frame: Frame<'_> = Box::new(move |number| {
-                    let matrix = if moving { motion.at(number) } else { view.matrix };
-                    drawn(target.borrow_mut().frame(level, attachments, &matrix));
-                });
+                field.enter(row, options.plan, frames(view, &target, None, (level, attachments), moving));
+            }
+        }
+        let Some(prepared) = prepared.filter(|_| place == 0) else { continue };
+        for attachments in WITH_MESHLETS {
+            for moving in [false, true] {
+                if moving && !(view.detail && attachments == MAIN) {
+                    continue;
+                }
+                let row = Row {
+                    contender: meshlets_name(level, attachments),
+                    kind: Kind::OursMeshlets,
+                    moving,
+                    preparation: Some(prepared.preparation()),
+                    ..row.clone()
+                };
+                let frame = frames(view, &target, Some(prepared), (level, attachments), moving);
                 field.enter(row, options.plan, frame);
             }
         }
@@ -197,6 +232,24 @@ pub fn run(view: &View, options: &Options) -> Result<Outcome, String> {
     Ok(Outcome { view: view.name.clone(), size: view.size, samples: samples(view), rows })
 }
 
+/// Frames of ours.
+fn frames<'a>(
+    view: &'a View,
+    target: &'a RefCell<Target<'a>>,
+    prepared: Option<&'a Prepared>,
+    (level, attachments): (Level, Attachments),
+    moving: bool,
+) -> Frame<'a> {
+    let motion = view.motion();
+    let meshlets = prepared.map(Prepared::meshlets);
+    Box::new(move |number| {
+        let matrix = if moving { motion.at(number) } else { view.matrix };
+        let mut target = target.borrow_mut();
+        target.set_meshlets(meshlets);
+        drawn(target.frame(level, attachments, &matrix));
+    })
+}
+
 /// Samples that a view's triangles cover, each as often as it is covered.
 ///
 /// # Panics
@@ -217,26 +270,13 @@ pub fn samples(view: &View) -> u64 {
 #[must_use]
 pub fn most_seconds(scenes: usize, made: usize, options: &Options) -> f64 {
     let middle = ours::available().len().saturating_sub(2);
-    let (limits, ends, visible, peers, moving_peers) = (5, 2, 1, 4, 2);
-    let of_scene = limits + MEASURED.len() + ends + middle + visible;
+    let (limits, ends, meshlets, visible, peers, moving_peers) = (5, 2, 3, 1, 4, 2);
+    let of_scene = limits + MEASURED.len() + ends + middle + meshlets + visible;
     let ours = (scenes * of_scene + made * (limits + ends)) as f64 * options.plan.limit.as_secs_f64();
     let peers = (scenes * (peers + moving_peers) + made * peers / 2) as f64
         * options.peers.map_or(0.0, |plan| plan.limit.as_secs_f64());
     // Made-up views have a few frames that are longer than any limit.
     ours + peers + made as f64 * 8.0
-}
-
-/// The pixels that every level covers.
-fn same_picture(view: &View, target: &mut Target<'_>, levels: &[Level]) -> Result<usize, String> {
-    let mut draw = |level| {
-        drawn(target.frame(level, MAIN, &view.matrix));
-        (target.fingerprint(MAIN), target.covered(MAIN))
-    };
-    let expected = draw(Level::FALLBACK);
-    match levels.iter().find(|&&level| draw(level) != expected) {
-        Some(level) => Err(format!("{}: {} draws another picture than fallback", view.name, level.name())),
-        None => Ok(expected.1),
-    }
 }
 
 /// The peers that draw something of the view; those that panic are left out, with a message.
@@ -281,8 +321,15 @@ fn enter_limits<'a>(
         contenders.insert(2, (name, Kind::Limit, Box::new(|_| same_size.borrow_mut().read_modify_write())));
     }
     for (contender, kind, frame) in contenders {
-        let row =
-            Row { contender, kind, moving: false, triangles: 0, covered: None, summary: Summary::default() };
+        let row = Row {
+            contender,
+            kind,
+            moving: false,
+            triangles: 0,
+            covered: None,
+            preparation: None,
+            summary: Summary::default(),
+        };
         field.enter(row, plan, frame);
     }
 }
@@ -302,6 +349,7 @@ fn enter_peer<'a>(
             moving: false,
             triangles: peer.triangles(),
             covered: Some(peer.covered()),
+            preparation: None,
             summary: Summary::default(),
         };
         (row, peer.moves())
@@ -328,11 +376,20 @@ mod tests {
     fn everybody_is_measured() {
         let view = View { peers: true, detail: true, ..growth::view(1000, (64, 36)) };
         let options = Options::parse(["--frames", "5", "--seconds", "1"].map(str::to_owned)).unwrap();
-        let outcome = run(&view, &options).unwrap();
+        let mut last = ours::Last::default();
+        let prepared = last.of(&view, |_| ());
+        let outcome = run(&view, Some(prepared), &options).unwrap();
         for name in ["clear of 1280x720 u32", "halfplane fallback depth", "euc", "retrofire", "tiny-skia"] {
             let row = outcome.rows.iter().find(|row| row.contender == name).unwrap();
             assert!(row.summary.frames >= 3 && row.summary.min > 0.0, "{row:?}");
         }
+        for attachments in WITH_MESHLETS {
+            let row = outcome.meshlets_of(ours::fastest(), attachments).unwrap();
+            assert!(row.summary.min > 0.0 && row.preparation == Some(prepared.preparation()), "{row:?}");
+            assert_eq!(row.covered, outcome.depth_of(ours::fastest()).unwrap().covered);
+        }
+        let without = run(&view, None, &options).unwrap();
+        assert!(without.meshlets_of(ours::fastest(), MAIN).is_none());
         assert!(outcome.clear() > 0.0);
         assert!(outcome.rows.iter().any(|row| row.contender == "euc" && row.moving));
         let euc = outcome.rows.iter().find(|row| row.contender == "euc" && !row.moving).unwrap();
