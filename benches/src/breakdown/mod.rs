@@ -74,7 +74,7 @@ impl Part {
 }
 
 /// The files and folders of the core, and what their code does.
-const FILES: [(&str, Option<Part>); 36] = [
+const FILES: [(&str, Option<Part>); 37] = [
     ("simd/vertex", Some(Part::Transform)),
     ("simd/frustum", Some(Part::Cull)),
     ("simd/meshlet", Some(Part::Cull)),
@@ -94,6 +94,7 @@ const FILES: [(&str, Option<Part>); 36] = [
     ("simd/extent", None),
     ("simd/draw", None),
     ("simd/pipeline", None),
+    ("simd/any", None),
     ("simd/ops", None),
     ("simd/level", None),
     ("simd/mod", None),

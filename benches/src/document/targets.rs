@@ -175,7 +175,7 @@ pub(super) fn crates(data: &Data) -> Option<String> {
     let mut names = head(&["× ours"]);
     names.extend(peers::WHAT.map(|(name, _)| name.to_owned()));
     names.extend(head(&["least", "at least 5"]));
-    let rows = data.scenes().into_iter().filter_map(|view| {
+    let rows = data.views("").into_iter().filter_map(|view| {
         let ratios = peers::WHAT.map(|(name, _)| {
             let peer = data.of(view, name, false)?;
             let ours = match peer.kind {
@@ -196,7 +196,7 @@ pub(super) fn crates(data: &Data) -> Option<String> {
 /// The level without vectors beside euc.
 pub(super) fn fallback(data: &Data) -> Option<String> {
     let names = head(&["ms", "fallback", "euc", "fallback / euc", "at most 1"]);
-    let rows = data.scenes().into_iter().filter_map(|view| {
+    let rows = data.views("").into_iter().filter_map(|view| {
         let ours = data.depth(view, "fallback")?.min_ms;
         let euc = data.of(view, "euc", false)?.min_ms;
         let ratio = ours / euc;
