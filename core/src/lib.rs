@@ -59,6 +59,8 @@ pub mod draw;
 pub mod geometry;
 pub mod lanes;
 pub mod numbers;
+#[cfg(any(kani, test))]
+mod proof;
 #[cfg(feature = "simd")]
 pub mod simd;
 #[cfg(feature = "transform")]

@@ -3,6 +3,8 @@
 mod bounds;
 mod coordinate;
 mod format;
+#[cfg(any(kani, test))]
+mod proofs;
 mod unorm;
 mod wide;
 mod word;

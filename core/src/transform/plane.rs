@@ -40,6 +40,7 @@ impl Plane {
     }
 
     /// The planes of the view frustum: a triangle wholly outside one of them is not visible.
+    #[cfg(feature = "simd")]
     pub(crate) const FRUSTUM: [Self; 7] = [
         Self::Near,
         Self::Far,
