@@ -88,8 +88,11 @@ macro_rules! assume {
         #[cfg(kani)]
         kani::assume($condition);
         #[cfg(not(kani))]
-        if !$condition {
-            return;
+        {
+            let holds: bool = $condition;
+            if !holds {
+                return;
+            }
         }
     };
 }

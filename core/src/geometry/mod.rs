@@ -5,6 +5,8 @@ mod extent;
 mod facing;
 mod plane;
 mod positions;
+#[cfg(any(kani, test))]
+mod proofs;
 mod region;
 mod sample;
 mod triangle;

@@ -62,22 +62,9 @@ pub(crate) mod arithmetic {
         #[inline]
         fn gradient(depths: [u32; 3], d1: i32, d2: i32, area: i64) -> Self {
             let Some(divisor) = NonZero::new(area.unsigned_abs()) else { return 0 };
-            let [z0, z1, z2] = depths.map(i64::from);
-            let numerator = (z1 - z0) * i64::from(d1) - (z2 - z0) * i64::from(d2);
+            let numerator = numerator64(depths, d1, d2);
             let (quotient, remainder) = floor_division64(numerator < 0, numerator.unsigned_abs(), divisor);
-            // 32 fractional bits: at once where a remainder is below 2^32, else 16 at a time, as it is below
-            // 2^48.
-            let (fraction, remainder) = if divisor.get() >> 32 == 0 {
-                let shifted = remainder << 32;
-                (shifted / divisor, shifted % divisor)
-            } else {
-                let shifted = remainder << 16;
-                let (high, remainder) = (shifted / divisor, shifted % divisor);
-                let shifted = remainder << 16;
-                ((high << 16) + shifted / divisor, shifted % divisor)
-            };
-            let round = Self::from(remainder >= divisor.get() - remainder);
-            (quotient << 32).wrapping_add(fraction + round)
+            (quotient << 32).wrapping_add(fraction64(remainder, divisor))
         }
 
         #[inline]
@@ -106,19 +93,9 @@ pub(crate) mod arithmetic {
         #[inline]
         fn gradient(depths: [u32; 3], d1: i32, d2: i32, area: i64) -> Self {
             let Some(divisor) = NonZero::new(area.unsigned_abs() as u32) else { return 0 };
-            let [z0, z1, z2] = depths.map(|z| z as i32);
-            let (plus, minus) = ((z1 - z0) * d1, (z2 - z0) * d2);
-            let (quotient, mut remainder) = floor_division32(plus < minus, plus.abs_diff(minus), divisor);
-            // 16 fractional bits, one at a time: a remainder is below 2^31.
-            let mut fraction = 0;
-            for _ in 0..16 {
-                remainder <<= 1;
-                let bit = remainder >= divisor.get();
-                remainder -= if bit { divisor.get() } else { 0 };
-                fraction = fraction << 1 | Self::from(bit);
-            }
-            let round = Self::from(remainder >= divisor.get() - remainder);
-            (quotient << 16).wrapping_add(fraction + round)
+            let (negative, magnitude) = numerator32(depths, d1, d2);
+            let (quotient, remainder) = floor_division32(negative, magnitude, divisor);
+            (quotient << 16).wrapping_add(fraction32(remainder, divisor))
         }
 
         #[inline]
@@ -138,12 +115,67 @@ pub(crate) mod arithmetic {
         }
     }
 
+    /// (z1 - z0) d1 - (z2 - z0) d2; it fits.
+    #[inline]
+    pub(in crate::numbers) fn numerator64(depths: [u32; 3], d1: i32, d2: i32) -> i64 {
+        let [z0, z1, z2] = depths.map(i64::from);
+        (z1 - z0) * i64::from(d1) - (z2 - z0) * i64::from(d2)
+    }
+
+    /// The same for depths of 16 bits: whether it is negative, and its magnitude, which fits 32 bits.
+    #[inline]
+    pub(in crate::numbers) fn numerator32(depths: [u32; 3], d1: i32, d2: i32) -> (bool, u32) {
+        let [z0, z1, z2] = depths.map(|z| z as i32);
+        let (plus, minus) = ((z1 - z0) * d1, (z2 - z0) * d2);
+        (plus < minus, plus.abs_diff(minus))
+    }
+
+    /// `remainder` / `divisor` as a fraction of 32 bits, to the nearest, ties upwards; for a remainder below
+    /// the divisor, below 2^48.
+    #[inline]
+    pub(in crate::numbers) fn fraction64(remainder: u64, divisor: NonZero<u64>) -> u64 {
+        // At once where a remainder is below 2^32, else 16 bits at a time, as it is below 2^48.
+        let (fraction, remainder) = if divisor.get() >> 32 == 0 {
+            let shifted = remainder << 32;
+            (shifted / divisor, shifted % divisor)
+        } else {
+            let shifted = remainder << 16;
+            let (high, remainder) = (shifted / divisor, shifted % divisor);
+            let shifted = remainder << 16;
+            ((high << 16) + shifted / divisor, shifted % divisor)
+        };
+        fraction + u64::from(remainder >= divisor.get() - remainder)
+    }
+
+    /// The same of 16 bits, one at a time: a remainder is below 2^31.
+    #[inline]
+    pub(in crate::numbers) fn fraction32(mut remainder: u32, divisor: NonZero<u32>) -> u32 {
+        let mut fraction = 0;
+        for _ in 0..16 {
+            let (bit, rest) = binary_digit(remainder, divisor);
+            (fraction, remainder) = (fraction << 1 | u32::from(bit), rest);
+        }
+        fraction + u32::from(remainder >= divisor.get() - remainder)
+    }
+
+    /// The first binary digit of `remainder` / `divisor`, and the remainder of the rest.
+    #[inline]
+    pub(in crate::numbers) fn binary_digit(remainder: u32, divisor: NonZero<u32>) -> (bool, u32) {
+        let twice = remainder << 1;
+        let bit = twice >= divisor.get();
+        (bit, twice - if bit { divisor.get() } else { 0 })
+    }
+
     /// Defines `$name`: quotient (modulo the type's range) and remainder of ±`magnitude` / `divisor`,
     /// rounded down. One for each width: a 64-bit division is a library call on small processors.
     macro_rules! floor_division {
         ($name:ident, $int:ty) => {
             #[inline]
-            fn $name(negative: bool, magnitude: $int, divisor: NonZero<$int>) -> ($int, $int) {
+            pub(in crate::numbers) fn $name(
+                negative: bool,
+                magnitude: $int,
+                divisor: NonZero<$int>,
+            ) -> ($int, $int) {
                 let (quotient, remainder) = (magnitude / divisor, magnitude % divisor);
                 match (negative, remainder) {
                     (false, _) => (quotient, remainder),

@@ -1,0 +1,254 @@
+//! One triangle's set-up: area, winding, canonical order, weights.
+
+use super::{LAST_SMALL, LAST_STANDARD, SMALL, STANDARD, sample, vertex};
+use crate::{
+    Format, Sample, Small, Standard, Triangle, Vertex, Winding,
+    geometry::{Edge, doubled_area, winding},
+    proof::{assume, cover, prove},
+};
+
+#[inline(always)]
+fn corners<F: Format>([a, b, c]: [[i32; 2]; 3]) -> Option<[Vertex<F>; 3]> {
+    Some([vertex(a, 0)?, vertex(b, 0)?, vertex(c, 0)?])
+}
+
+/// The doubled area by its definition.
+#[inline(always)]
+fn area([a, b, c]: [[i32; 2]; 3]) -> i64 {
+    let ([xa, ya], [xb, yb], [xc, yc]) = (a.map(i64::from), b.map(i64::from), c.map(i64::from));
+    (xb - xa) * (yc - ya) - (xc - xa) * (yb - ya)
+}
+
+#[inline(always)]
+fn areas<F: Format>(given: [[i32; 2]; 3]) {
+    let Some(vertices) = corners::<F>(given) else { return };
+    let signed: i64 = doubled_area(vertices).into();
+    assert!(signed == area(given));
+    assert!(winding(vertices).is_some() == (signed != 0));
+    assert!((winding(vertices) == Some(Winding::Clockwise)) == (signed > 0));
+    cover!(signed == 0);
+}
+
+/// There is no triangle without an area.
+#[inline(always)]
+fn flat<F: Format>(given: [[i32; 2]; 3]) {
+    let Some(vertices) = corners::<F>(given) else { return };
+    assume!(doubled_area(vertices) == F::Wide::default());
+    assert!(Triangle::new(vertices, Sample::CENTER).is_none());
+    cover!(given[0] != given[1]);
+}
+
+/// A clockwise triangle has its area, a counter-clockwise one the negated one.
+#[inline(always)]
+fn set_up<F: Format>(given: [[i32; 2]; 3], clockwise: bool) {
+    let Some(vertices) = corners::<F>(given) else { return };
+    let signed: i64 = doubled_area(vertices).into();
+    assume!(signed != 0 && (signed > 0) == clockwise);
+    let Some(triangle) = Triangle::new(vertices, Sample::CENTER) else { unreachable!("there is an area") };
+    let doubled: i64 = triangle.doubled_area().into();
+    assert!(doubled == if clockwise { signed } else { -signed });
+    assert!((triangle.winding() == Winding::Clockwise) == clockwise);
+    cover!(signed == 1 || signed == -1);
+}
+
+/// The vertex of that number.
+#[inline(always)]
+fn pick<F: Format>([a, b, c]: [Vertex<F>; 3], number: u8) -> Vertex<F> {
+    match number {
+        0 => a,
+        1 => b,
+        _ => c,
+    }
+}
+
+/// The canonical order: a permutation, the topmost, then leftmost vertex first.
+#[inline(always)]
+fn order<F: Format>(given: [[i32; 2]; 3]) {
+    let Some(vertices) = corners::<F>(given) else { return };
+    let Some(triangle) = Triangle::new(vertices, Sample::CENTER) else { return };
+    let [i, j, k] = triangle.order();
+    assert!(i < 3 && j < 3 && k < 3 && i != j && j != k && k != i);
+    let [first, second, third] = triangle.vertices();
+    assert!(first == pick(vertices, i) && second == pick(vertices, j) && third == pick(vertices, k));
+    let key = |v: Vertex<F>| (v.y(), v.x());
+    assert!(key(first) < key(second) && key(first) < key(third));
+    assert!(
+        triangle.edges() == [Edge::new(second, third), Edge::new(third, first), Edge::new(first, second)]
+    );
+    cover!(triangle.order() == [1, 0, 2]);
+}
+
+/// The three edge values of a sample add up to the area.
+#[inline(always)]
+fn weights<F: Format>(given: [[i32; 2]; 3], at: [i32; 2], [column, row]: [u32; 2]) {
+    let (Some([a, b, c]), Some(sample)) = (corners::<F>(given), sample::<F>(at)) else { return };
+    let value = |start, end| -> i64 { Edge::new(start, end).value(sample, column, row).into() };
+    assert!(value(b, c) + value(c, a) + value(a, b) == area(given));
+    cover!(value(b, c) < 0);
+}
+
+/// Which weight is whose, and that there are none beyond the largest target.
+#[inline(always)]
+fn weight_order(given: [[i32; 2]; 3], [column, row]: [u32; 2], place: usize) {
+    let Some(vertices) = corners::<Small>(given) else { return };
+    let Some(triangle) = Triangle::new(vertices, Sample::CENTER) else { return };
+    let Some(weights) = triangle.weights(column, row) else {
+        assert!(column >= Small::MAX_TARGET || row >= Small::MAX_TARGET);
+        cover!(true);
+        return;
+    };
+    let (start, end) = (vertices[(place + 1) % 3], vertices[(place + 2) % 3]);
+    let value = Edge::new(start, end).value(Sample::CENTER, column, row);
+    assert!(weights[place] == if triangle.winding() == Winding::Clockwise { value } else { -value });
+    cover!(weights[place] < 0);
+}
+
+/// A covered sample lies in the half-open extent of the vertices: nothing beside the bounds is covered.
+#[inline(always)]
+fn covered_is_within(given: [[i32; 2]; 3], at: [i32; 2], [column, row]: [u32; 2]) {
+    let (Some(vertices), Some(sample)) = (corners::<Small>(given), sample::<Small>(at)) else { return };
+    let Some(triangle) = Triangle::new(vertices, sample) else { return };
+    assume!(triangle.edges().into_iter().all(|edge| edge.reduced(sample, column, row) >= 0));
+    let (x, y) = sample.of_pixel(column, row);
+    assert!(vertices.iter().any(|v| v.x() <= x) && vertices.iter().any(|v| x < v.x()));
+    assert!(vertices.iter().any(|v| v.y() <= y) && vertices.iter().any(|v| y < v.y()));
+    cover!(vertices.iter().all(|v| v.x() >= x));
+}
+
+/// Two triangles on both sides of an edge: no sample is in both, and one on the edge between its ends is in one.
+#[inline(always)]
+fn mesh_edge(ends: [[i32; 2]; 2], left: [i32; 2], right: [i32; 2], [column, row]: [u32; 2]) {
+    let [p, q] = ends;
+    assume!(area([p, q, right]) > 0 && area([q, p, left]) > 0);
+    let (Some(one), Some(other)) = (corners::<Small>([p, q, right]), corners::<Small>([q, p, left])) else {
+        return;
+    };
+    let sample = Sample::CENTER;
+    let (Some(one), Some(other)) = (Triangle::new(one, sample), Triangle::new(other, sample)) else { return };
+    let has = |t: Triangle<Small>| t.edges().into_iter().all(|edge| edge.reduced(sample, column, row) >= 0);
+    let owners = u32::from(has(one)) + u32::from(has(other));
+    assert!(owners <= 1);
+    let (x, y) = sample.of_pixel(column, row);
+    let between = |a: i32, at: i32, b: i32| a.min(b) <= at && at <= a.max(b);
+    let inside = area([p, q, [x, y]]) == 0
+        && between(p[0], x, q[0])
+        && between(p[1], y, q[1])
+        && [x, y] != p
+        && [x, y] != q;
+    assert!(owners == 1 || !inside);
+    cover!(inside && has(one));
+    cover!(inside && has(other));
+}
+
+prove! {
+    /// The doubled area fits, and its sign is the winding.
+    [doubled_area, winding, i64::product]
+    fn areas_of_standard(given: [[i32; 2]; 3] = [[-STANDARD; 2]; 3]..=[[STANDARD; 2]; 3]) {
+        areas::<Standard>(given);
+    }
+
+    /// The same for the small format: in 32 bits, at the guard band's very corners.
+    [doubled_area, winding, i32::product]
+    fn areas_of_small(given: [[i32; 2]; 3] = [[-SMALL; 2]; 3]..=[[SMALL; 2]; 3]) {
+        areas::<Small>(given);
+    }
+
+    /// Flat triangles.
+    [Triangle::new]
+    fn flat_triangles_of_standard(given: [[i32; 2]; 3] = [[-STANDARD; 2]; 3]..=[[STANDARD; 2]; 3]) {
+        flat::<Standard>(given);
+    }
+
+    /// The same for the small format.
+    [Triangle::new]
+    fn flat_triangles_of_small(given: [[i32; 2]; 3] = [[-SMALL; 2]; 3]..=[[SMALL; 2]; 3]) {
+        flat::<Small>(given);
+    }
+
+    /// The area of a triangle.
+    [Triangle::new]
+    fn set_up_of_clockwise_standard(given: [[i32; 2]; 3] = [[-STANDARD; 2]; 3]..=[[STANDARD; 2]; 3]) {
+        set_up::<Standard>(given, true);
+    }
+
+    /// The same, counter-clockwise.
+    [Triangle::new]
+    fn set_up_of_counter_clockwise_standard(given: [[i32; 2]; 3] = [[-STANDARD; 2]; 3]..=[[STANDARD; 2]; 3]) {
+        set_up::<Standard>(given, false);
+    }
+
+    /// The same for the small format, in 32 bits.
+    [Triangle::new]
+    fn set_up_of_clockwise_small(given: [[i32; 2]; 3] = [[-SMALL; 2]; 3]..=[[SMALL; 2]; 3]) {
+        set_up::<Small>(given, true);
+    }
+
+    /// The same, counter-clockwise.
+    [Triangle::new]
+    fn set_up_of_counter_clockwise_small(given: [[i32; 2]; 3] = [[-SMALL; 2]; 3]..=[[SMALL; 2]; 3]) {
+        set_up::<Small>(given, false);
+    }
+
+    /// The canonical order of vertices does not depend on the order they came in, as there is one topmost,
+    /// then leftmost vertex. Comparisons alone decide; three points of a 4x4 lattice are in every order there is.
+    [Triangle::new]
+    fn order_is_canonical(given: [[i32; 2]; 3] = [[0; 2]; 3]..=[[3; 2]; 3]) {
+        order::<Small>(given);
+    }
+
+    /// Barycentric weights.
+    [Triangle::weights, Edge::value]
+    fn weights_of_standard_add_up(
+        given: [[i32; 2]; 3] = [[-STANDARD; 2]; 3]..=[[STANDARD; 2]; 3],
+        at: [i32; 2] = [0; 2]..=[255; 2],
+        pixel: [u32; 2] = [0; 2]..=[LAST_STANDARD; 2],
+    ) {
+        weights::<Standard>(given, at, pixel);
+    }
+
+    /// The same for the small format.
+    [Triangle::weights, Edge::value]
+    fn weights_of_small_add_up(
+        given: [[i32; 2]; 3] = [[-SMALL; 2]; 3]..=[[SMALL; 2]; 3],
+        at: [i32; 2] = [0; 2]..=[255; 2],
+        pixel: [u32; 2] = [0; 2]..=[LAST_SMALL; 2],
+    ) {
+        weights::<Small>(given, at, pixel);
+    }
+
+    /// Weights are in submitted order: again by comparisons alone.
+    #[kani::unwind(4)]
+    [Triangle::weights]
+    fn weights_are_in_submitted_order(
+        given: [[i32; 2]; 3] = [[0; 2]; 3]..=[[3; 2]; 3],
+        pixel: [u32; 2],
+        place: usize = 0..=2,
+    ) {
+        assume!(pixel[0] < 2 || pixel[0] >= Small::MAX_TARGET);
+        assume!(pixel[1] < 2 || pixel[1] >= Small::MAX_TARGET);
+        weight_order(given, pixel, place);
+    }
+
+    /// Bounds are never too small, on 2x2 pixels of 16 steps: rational geometry beyond that.
+    #[kani::unwind(4)]
+    [Triangle::new, Triangle::bounds, Edge::reduced]
+    fn covered_samples_are_within_the_extent(
+        given: [[i32; 2]; 3] = [[0; 2]; 3]..=[[31; 2]; 3],
+        at: [i32; 2] = [0; 2]..=[15; 2],
+        pixel: [u32; 2] = [0; 2]..=[1; 2],
+    ) {
+        covered_is_within(given, at, pixel);
+    }
+
+    /// A mesh's edge, on 2x2 pixels of 16 steps.
+    #[kani::unwind(4)]
+    [Triangle::new, Edge::reduced]
+    fn samples_at_a_mesh_edge_are_covered_once(
+        ends: [[i32; 2]; 2] = [[0; 2]; 2]..=[[31; 2]; 2],
+        left: [i32; 2] = [0; 2]..=[31; 2],
+        right: [i32; 2] = [0; 2]..=[31; 2],
+        pixel: [u32; 2] = [0; 2]..=[1; 2],
+    ) {
+        mesh_edge(ends, left, right, pixel);
+    }
+}
