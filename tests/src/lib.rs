@@ -10,6 +10,7 @@
 //! | [`toy`] | formats small enough to enumerate |
 //! | [`golden`] | the reader of third-party goldens |
 //! | [`layers`] | the reader of the core's imports |
+//! | [`proofs`] | the reader of the core's proofs |
 //!
 //! The drivers are in `tests/`: each calls properties with inputs from one engine.
 
@@ -19,6 +20,7 @@ pub mod frame;
 pub mod golden;
 pub mod layers;
 pub mod oracle;
+pub mod proofs;
 pub mod properties;
 pub mod run;
 pub mod shapes;

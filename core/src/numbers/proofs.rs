@@ -4,7 +4,8 @@ use super::{
     Bounds, Coordinate, DEPTH16_MAX, Format, Small, Standard, Wide, WideArithmetic, WordArithmetic, unorm16,
     unorm32,
     word::arithmetic::{
-        binary_digit, floor_division32, floor_division64, fraction32, fraction64, numerator32, numerator64,
+        binary_digit, digit, floor_division32, floor_division64, fraction32, fraction64, numerator32,
+        numerator64,
     },
 };
 use crate::proof::{assume, cover, prove};
@@ -99,25 +100,16 @@ prove! {
         constructs_coordinates::<Small>(steps);
     }
 
-    /// unorm32 is z (2^32 - 1) to the nearest integer, ties upwards, for every bit pattern.
+    /// Nothing overflows in unorm32, for every bit pattern, and the ends are right. That it is the nearest
+    /// integer is enumerated: all 2^32 floats.
     [unorm32]
-    fn unorm32_is_exact(bits: u32) {
+    fn unorm32_does_not_overflow(bits: u32) {
         let depth = f32::from_bits(bits);
         let unorm = unorm32(depth);
-        if depth > 0.0 && depth < 1.0 {
-            let exponent = bits >> 23;
-            let significand = u64::from(bits & 0x7F_FFFF | u32::from(exponent != 0) << 23);
-            let shift = 150 - exponent.max(1);
-            let product = significand * 0xFFFF_FFFF;
-            // In whole halves of a unit, rounding down: a half more makes the unit. Below 2^-33 there are none.
-            let halves = if shift > 60 { 0 } else { (2 * product) >> shift };
-            assert!(halves.div_ceil(2) == u64::from(unorm));
-            cover!(unorm == 1);
-            cover!(unorm > 1 << 31);
-        } else {
-            assert!(unorm == if depth >= 1.0 { u32::MAX } else { 0 });
-            cover!(depth.is_nan());
-        }
+        assert!(depth < 1.0 || depth.is_nan() || unorm == u32::MAX);
+        assert!(depth > 0.0 || unorm == 0);
+        cover!(unorm == 1);
+        cover!(depth.is_nan());
     }
 
     /// unorm16 is z / 65537 to the nearest integer: no distance is larger than 32768, half of 65537.
@@ -184,7 +176,7 @@ prove! {
     }
 
     /// No overflow in a gradient of 32.32 words, its parts put together.
-    [u64::gradient]
+    [u64::gradient, fraction64, digit, floor_division64]
     fn gradient64_does_not_overflow(
         depths: [u32; 3],
         d1: i32 = -Bounds::<Standard>::MAX_DELTA..=Bounds::<Standard>::MAX_DELTA,
@@ -240,13 +232,25 @@ prove! {
     /// A fraction of 32 bits is the nearest: f with -d <= 2 (2^32 r - f d) < d; where it is found at once.
     [fraction64]
     fn fraction64_is_nearest_for_small_divisors(r: u64 = 0..=(1 << 32) - 1, d: u64 = 1..=(1 << 32) - 1) {
-        fraction64_is_nearest(r, d);
+        assume!(r < d);
+        let Some(divisor) = NonZero::new(d) else { return };
+        let fraction = fraction64(r, divisor);
+        assert!(fraction <= 1 << 32);
+        let residual = (i128::from(r) << 32) - i128::from(fraction) * i128::from(d);
+        assert!(-i128::from(d) <= 2 * residual);
+        assert!(2 * residual < i128::from(d));
+        cover!(fraction == 1 << 31);
     }
 
-    /// The same in two steps of 16 bits.
-    [fraction64]
-    fn fraction64_is_nearest_for_large_divisors(r: u64 = 0..=(1 << 48) - 1, d: u64 = 1 << 32..=1 << 48) {
-        fraction64_is_nearest(r, d);
+    /// A digit of 16 bits: 2^16 r = q d + r' with 0 <= r' < d. So after two of them, q and q',
+    /// 2^32 r = (2^16 q + q') d + r'.
+    [digit]
+    fn a_digit_is_exact(r: u64 = 0..=(1 << 48) - 1, d: u64 = 1..=1 << 48) {
+        assume!(r < d);
+        let Some(divisor) = NonZero::new(d) else { return };
+        let (quotient, rest) = digit(r, divisor, 16);
+        assert!(quotient < 1 << 16 && rest < d && r << 16 == quotient * d + rest);
+        cover!(quotient == (1 << 16) - 1);
     }
 
     /// One binary digit: 2 r = b d + r' with 0 <= r' < d. So after k digits f, by induction, 2^k r = f d + r'.
@@ -317,17 +321,6 @@ prove! {
         assert!(-half <= distance && distance < half);
         cover!(rounded == 0 && word > 1 << 31);
     }
-}
-
-fn fraction64_is_nearest(r: u64, d: u64) {
-    assume!(r < d);
-    let Some(divisor) = NonZero::new(d) else { return };
-    let fraction = fraction64(r, divisor);
-    assert!(fraction <= 1 << 32);
-    let residual = (i128::from(r) << 32) - i128::from(fraction) * i128::from(d);
-    assert!(-i128::from(d) <= 2 * residual);
-    assert!(2 * residual < i128::from(d));
-    cover!(fraction == 1 << 31);
 }
 
 /// Every fraction of 16 bits of small divisors is the nearest, ties upwards.

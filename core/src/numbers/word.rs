@@ -136,15 +136,20 @@ pub(crate) mod arithmetic {
     pub(in crate::numbers) fn fraction64(remainder: u64, divisor: NonZero<u64>) -> u64 {
         // At once where a remainder is below 2^32, else 16 bits at a time, as it is below 2^48.
         let (fraction, remainder) = if divisor.get() >> 32 == 0 {
-            let shifted = remainder << 32;
-            (shifted / divisor, shifted % divisor)
+            digit(remainder, divisor, 32)
         } else {
-            let shifted = remainder << 16;
-            let (high, remainder) = (shifted / divisor, shifted % divisor);
-            let shifted = remainder << 16;
-            ((high << 16) + shifted / divisor, shifted % divisor)
+            let (high, remainder) = digit(remainder, divisor, 16);
+            let (low, remainder) = digit(remainder, divisor, 16);
+            ((high << 16) + low, remainder)
         };
         fraction + u64::from(remainder >= divisor.get() - remainder)
+    }
+
+    /// The first `bits` bits of `remainder` / `divisor`, and the remainder of the rest.
+    #[inline]
+    pub(in crate::numbers) fn digit(remainder: u64, divisor: NonZero<u64>, bits: u32) -> (u64, u64) {
+        let shifted = remainder << bits;
+        (shifted / divisor, shifted % divisor)
     }
 
     /// The same of 16 bits, one at a time: a remainder is below 2^31.

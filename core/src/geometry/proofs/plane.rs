@@ -56,16 +56,22 @@ prove! {
         planes::<Standard>(given, depths, at, pixel);
     }
 
-    /// The same for the small format.
-    #[kani::unwind(17)]
+    /// For the small format, what a plane hands to the division and to its steps: deltas within MAX_DELTA.
     [Plane::new, Plane::at]
-    fn planes_of_small(
-        given: [[i32; 2]; 3] = [[-SMALL; 2]; 3]..=[[SMALL; 2]; 3],
-        depths: [u32; 3],
+    fn steps_of_small_fit(
+        given: [i32; 2] = [-SMALL; 2]..=[SMALL; 2],
+        other: [i32; 2] = [-SMALL; 2]..=[SMALL; 2],
         at: [i32; 2] = [0; 2]..=[255; 2],
         pixel: [u32; 2] = [0; 2]..=[LAST_SMALL; 2],
     ) {
-        planes::<Small>(given, depths, at, pixel);
+        let (Some(a), Some(b)) = (vertex::<Small>(given, 0), vertex::<Small>(other, 0)) else { return };
+        let Some(sample) = sample::<Small>(at) else { return };
+        let (x, y) = sample.of_pixel(pixel[0], pixel[1]);
+        let limit = Bounds::<Small>::MAX_DELTA;
+        for delta in [a.x() - b.x(), a.y() - b.y(), x - a.x(), y - a.y()] {
+            assert!(-limit <= delta && delta <= limit);
+        }
+        cover!(a.x() - b.x() == limit);
     }
 
     /// What a gradient's rounding costs: 2^32 N = g D + r with |r| <= D / 2 (`fraction64_is_nearest`), so one
