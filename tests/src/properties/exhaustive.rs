@@ -139,11 +139,11 @@ pub const ALL: &[Enumeration] = &[
     },
     Enumeration {
         name: "crossings",
-        statement: "f64, every |A| <= 2^24, F next to powers of two up to 16384 and their neighbours: exact",
+        statement: "f64, every |A| < 2^24, F next to powers of two up to 16384 and their neighbours: exact",
         parts: (MAX_DELTA as u32).div_ceil(PART as u32),
         part: |part| {
             let pixels = turns(i64::from(Standard::MAX_TARGET));
-            slopes(part, MAX_DELTA, pixels.len() as u64, |a| exact_in_f64(a, pixels.iter().copied()))
+            slopes(part, MAX_DELTA - 1, pixels.len() as u64, |a| exact_in_f64(a, pixels.iter().copied()))
         },
     },
     Enumeration {
