@@ -1,9 +1,13 @@
-//! Lattices enumerated completely.
+//! Lattices enumerated completely; slices of what the example `enumerate` runs whole.
 
 use halfplane::{Format, Small, Standard};
 use halfplane_tests::{
     Frame,
-    properties::enumeration::{Lattice, every_triangle},
+    properties::{
+        enumeration::{Lattice, every_triangle},
+        exhaustive::ALL,
+    },
+    shapes::Random,
     sizes,
     toy::Toy,
 };
@@ -54,4 +58,23 @@ fn every_triangle_round_a_sample_of_the_ready_formats() {
     let standard = Frame::whole::<Standard>(64, 64);
     enumerate::<Standard>(&standard, Lattice { origin: [15 * 256 + 128 - side / 2; 2], side, spacing: 1 });
     enumerate::<Standard>(&standard, Lattice { origin: [-100, 700], side, spacing: 2560 });
+}
+
+/// The first part, the last, and as many others as there shall be, those with a case.
+#[test]
+fn slices_of_the_long_enumerations() {
+    for enumeration in ALL {
+        let run = |part| {
+            (enumeration.part)(part)
+                .unwrap_or_else(|failure| panic!("{}, part {part}: {failure:?}", enumeration.name))
+        };
+        run(0);
+        run(enumeration.parts - 1);
+        let mut random = Random(sizes::seed());
+        let others = (0..1000).map(|_| run(random.below(enumeration.parts as usize) as u32));
+        let slices = sizes::ENUMERATION.scaled().min(1000) as usize;
+        let cases: Vec<u64> = others.filter(|&cases| cases > 0).take(slices).collect();
+        println!("{}: {cases:?} cases of {} parts", enumeration.name, enumeration.parts);
+        assert_eq!(cases.len(), slices, "{}", enumeration.statement);
+    }
 }

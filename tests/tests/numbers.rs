@@ -2,8 +2,10 @@
 
 use halfplane::{Bounds, Format, Small, Standard};
 use halfplane_tests::{
+    failure::Verdict,
     properties::numbers::{
-        about_half_steps, snap_is_nearest, special_floats, unorm16_is_nearest, unorm32_is_nearest,
+        about_half_steps, nearest_step_is_the_reference_s, nearest_unorm32_is_the_reference_s,
+        snap_is_nearest, special_floats, unorm16_is_nearest, unorm32_is_nearest,
     },
     run::check,
     sizes,
@@ -16,18 +18,22 @@ fn floats() -> impl Strategy<Value = f32> {
 }
 
 fn snaps<F: Format>() {
+    let property = |pixels| {
+        snap_is_nearest::<F>(pixels)?;
+        nearest_step_is_the_reference_s::<F>(pixels)
+    };
     for value in special_floats() {
-        snap_is_nearest::<F>(value).unwrap();
+        property(value).unwrap();
     }
     let end = 2 * Bounds::<F>::GUARD_BAND;
     for k in (-600..600).chain(end - 60..end + 60).chain(-end - 60..60 - end) {
         for value in about_half_steps::<F>(k) {
-            snap_is_nearest::<F>(value).unwrap();
+            property(value).unwrap();
         }
     }
     let pixels = Bounds::<F>::GUARD_BAND as f32 / Bounds::<F>::STEPS_PER_PIXEL as f32 * 1.01;
     let halves = (-end..=end).prop_map(|k| about_half_steps::<F>(k)[0]);
-    check(sizes::NUMBERS, prop_oneof![floats(), -pixels..pixels, halves], snap_is_nearest::<F>);
+    check(sizes::NUMBERS, prop_oneof![floats(), -pixels..pixels, halves], property);
 }
 
 #[test]
@@ -47,10 +53,14 @@ fn snapping_is_to_nearest_even_toy() {
 
 #[test]
 fn unorm32_is_nearest_for_special_and_random_floats() {
+    let property = |depth| -> Verdict {
+        unorm32_is_nearest(depth)?;
+        nearest_unorm32_is_the_reference_s(depth)
+    };
     for value in special_floats() {
-        unorm32_is_nearest(value).unwrap();
+        property(value).unwrap();
     }
-    check(sizes::NUMBERS, floats(), unorm32_is_nearest);
+    check(sizes::NUMBERS, floats(), property);
 }
 
 /// All integers and the neighbours of all half-way points between two 16-bit depths, exhaustively.

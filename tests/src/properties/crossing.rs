@@ -1,7 +1,16 @@
 //! Comparing a rounded crossing with whole pixels is exact.
 //!
 //! An edge with a change of `a` (not 0) for a pixel to the right and the value F = e + 1/2 at the first
-//! one crosses a row at -F / a. The vector code computes that as F times the rounded -1 / a, and rounds up.
+//! one crosses a row at -F / a. The vector code computes that as F times the rounded -1 / a, cuts it off at
+//! the first and the last pixel, and rounds up.
+//!
+//! For each `a` two F for each pixel stand for all. Multiplication by a fixed factor is monotone, and so is
+//! the rounding of products and the rounding up. F are odd numbers of halves, so -F / a is no integer, and next
+//! to the pixel k on either side are the crossings of F = -k a + 1/2 and F = -k a - 1/2. Where those of k are
+//! given k and k + 1, and those of k + 1 likewise, then every crossing between k and k + 1 lies between the
+//! second and the third of the four, is given k + 1 as they are, and that is exact. Crossings below the first
+//! pixel are given at most that one, those beyond the last at least that one: cut off, they are exact. So with
+//! all k from the first pixel to the end of the last, every F is exact that is an exact float.
 
 use crate::{ensure_eq, failure::Verdict};
 
@@ -27,6 +36,11 @@ pub fn is_exact_in_f32(a: i32) -> Verdict {
         }
     }
     Ok(())
+}
+
+/// The pixels from 0 to `end` where the distances of floats change: the powers of two and their neighbours.
+pub fn turns(end: i64) -> Vec<i64> {
+    (0..=end).filter(|&k| (k - 1..=k + 1).any(|near| near > 0 && near & (near - 1) == 0)).collect()
 }
 
 /// In `f64`, for the crossings next to pixel `k`.

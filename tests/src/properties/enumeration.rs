@@ -1,4 +1,6 @@
 //! All triangles with corners on a small lattice: coverage, and the ownership of shared edges.
+//!
+//! Nothing joins triangles with different first corners, so those of each are a part by themselves.
 
 use crate::{Failure, Frame, ensure, failure::Verdict, frame::window_vertices, shapes::Corners};
 use halfplane::{Format, Region, Triangle, traverse};
@@ -22,8 +24,13 @@ pub struct Lattice {
 }
 
 impl Lattice {
+    /// How many points there are.
+    pub fn points(self) -> i32 {
+        self.side * self.side
+    }
+
     /// The point of that number, row by row.
-    fn point(self, number: i32) -> [i32; 2] {
+    pub(super) fn point(self, number: i32) -> [i32; 2] {
         let Self { origin: [x, y], side, spacing } = self;
         [x + number % side * spacing, y + number / side * spacing]
     }
@@ -45,22 +52,25 @@ impl Lattice {
 ///
 /// Returns the number of triangles.
 pub fn every_triangle<F: Format>(frame: &Frame, lattice: Lattice) -> Result<u64, Failure> {
-    let points = lattice.side * lattice.side;
+    (0..lattice.points()).map(|first| every_triangle_from::<F>(frame, lattice, first)).sum()
+}
+
+/// [`every_triangle`] whose first corner is that point.
+pub fn every_triangle_from<F: Format>(frame: &Frame, lattice: Lattice, first: i32) -> Result<u64, Failure> {
     let window = lattice.window(frame, 1 << F::SUBPIXEL_BITS);
+    let p = lattice.point(first);
     let mut triangles = 0;
-    for a in 0..points {
-        for b in 0..points {
-            let (p, q) = (lattice.point(a), lattice.point(b));
-            let mut owner = Owner::new::<F>(frame, window, p, q);
-            for c in 0..points {
-                let corners = [p, q, lattice.point(c)];
-                let drawn = drawn::<F>(frame, &corners)?;
-                compare::<F>(frame, window, &corners, &drawn)?;
-                owner.take(&corners, &drawn)?;
-                triangles += 1;
-            }
-            owner.verdict(p, q)?;
+    for b in 0..lattice.points() {
+        let q = lattice.point(b);
+        let mut owner = Owner::new::<F>(frame, window, p, q);
+        for c in 0..lattice.points() {
+            let corners = [p, q, lattice.point(c)];
+            let drawn = drawn::<F>(frame, &corners)?;
+            compare::<F>(frame, window, &corners, &drawn)?;
+            owner.take(&corners, &drawn)?;
+            triangles += 1;
         }
+        owner.verdict(p, q)?;
     }
     Ok(triangles)
 }
