@@ -84,6 +84,8 @@ table! {
     MESHLET_ERRORS = 100;
     /// Edges of large triangles.
     CROSSINGS = 4_000;
+    /// Random bytes for each of the fuzzer's targets.
+    BYTES = 400;
     /// Squares of lattice points on a side of the enumerations, centre sample; not cases: grows with
     /// the sixth root of the scale.
     LATTICE = 9;
