@@ -51,8 +51,8 @@ enum Case {
 struct How {
     format: u8,
     place: Place,
-    /// Of the frame where there is none, or where it is no region.
-    scissor: Option<[u16; 4]>,
+    /// The frame's where there is none: [`beside`].
+    scissor: Option<[i8; 4]>,
     faces: Faces,
     test: (u8, bool),
     first_id: Option<u32>,
@@ -60,7 +60,8 @@ struct How {
     contents: u64,
     /// How many vertices too many are counted.
     lies: u8,
-    viewport: Option<[u16; 4]>,
+    /// [`beside`].
+    viewport: [i8; 4],
 }
 
 #[derive(Debug, Arbitrary)]
@@ -116,7 +117,7 @@ fn window<F: Format, D: halfplane::DepthFormat<F>>(
 where
     D::Texel: TryFrom<u32>,
 {
-    let call = how.call::<F>()?;
+    let call = how.call::<F>();
     let mut vertices: Vec<Vertex<F>> = Vec::new();
     for (shape, z) in triangles.iter().take(MOST_TRIANGLES) {
         vertices.extend(crate::properties::scene::vertices::<F>(&[shape.shot::<F>(&call.frame, *z)])?);
@@ -148,12 +149,11 @@ fn clip<F: Format, D: halfplane::DepthFormat<F>>(
 where
     D::Texel: TryFrom<u32>,
 {
-    let call = how.call::<F>()?;
+    let call = how.call::<F>();
     let triangles: Vec<_> =
         triangles.iter().take(MOST_TRIANGLES).map(|&numbers| clip_bits(numbers)).collect();
     let vertices = triangles.as_flattened();
-    let viewport = region::<F>(how.viewport, call.frame.region)?;
-    let [x0, y0, x1, y1] = viewport;
+    let [x0, y0, x1, y1] = beside::<F>(call.frame.region, how.viewport);
     let positions = ClipPositions::new(vertices, Viewport::new(Region::new(x0, y0, x1, y1)?));
     let indices: Vec<u32> = match indices {
         Indices::Ordered => (0..vertices.len() as u32).collect(),
@@ -178,28 +178,28 @@ fn vector(place: Place, how: [u32; 10], path: u8, triangles: &[simd::Numbers]) -
 }
 
 impl How {
-    fn call<F: Format>(&self) -> Result<Call, crate::Failure> {
+    fn call<F: Format>(&self) -> Call {
         let frame = self.place.small::<F>(SIDE);
         let (compare, write) = self.test;
-        Ok(Call {
+        Call {
             frame,
-            scissor: region::<F>(self.scissor, frame.scissor)?,
+            scissor: self.scissor.map_or(frame.scissor, |sides| beside::<F>(frame.region, sides)),
             cull: self.faces.cull(),
             front: self.faces.front(),
             test: DepthTest { compare: COMPARISONS[usize::from(compare) % COMPARISONS.len()], write },
             first_id: self.first_id.unwrap_or(7),
             surplus: usize::from(self.surplus % 20),
             contents: self.contents,
-        })
+        }
     }
 }
 
-/// A region of any numbers, each within a pixel range of the format; another one where it is none. What
-/// makes it one is checked.
-fn region<F: Format>(numbers: Option<[u16; 4]>, otherwise: [u32; 4]) -> Result<[u32; 4], crate::Failure> {
-    let Some(numbers) = numbers else { return Ok(otherwise) };
-    let numbers = numbers.map(u32::from);
-    errors::of_regions::<F>(numbers)?;
-    let [x0, y0, x1, y1] = numbers;
-    Ok(if Region::<F>::new(x0, y0, x1, y1).is_ok() { numbers } else { otherwise })
+/// A rectangle with its sides moved by up to 16 pixels: never empty, and often not inside it.
+fn beside<F: Format>([x0, y0, x1, y1]: [u32; 4], sides: [i8; 4]) -> [u32; 4] {
+    let moved = |side: u32, by: i8, least: u32, most: u32| {
+        side.saturating_add_signed(i32::from(by) / 8).clamp(least, most)
+    };
+    let [left, top, right, bottom] = sides;
+    let (left, top) = (moved(x0, left, 0, F::MAX_TARGET - 1), moved(y0, top, 0, F::MAX_TARGET - 1));
+    [left, top, moved(x1, right, left + 1, F::MAX_TARGET), moved(y1, bottom, top + 1, F::MAX_TARGET)]
 }

@@ -28,7 +28,7 @@ pub fn closed_surfaces_cancel<F: Format>(frame: &Frame, corners: &[[f32; 4]; 4])
     }
     let between = corners.map(|[x, y, z, w]| {
         let w = w.abs().max(f32::MIN_POSITIVE);
-        [x, y, w * (z.to_bits() >> 8) as f32 / (1 << 24) as f32, w]
+        [x, y, w * ((z.to_bits() >> 8) as f32 / (1 << 24) as f32), w]
     });
     let counts = counted::<F>(frame, &between, &[[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]])?;
     cancels(frame, &counts, &format!("the sides of {between:?}"))
