@@ -7,6 +7,7 @@
 //! | [`properties`] | the properties: plain functions `fn(inputs) -> Result<(), Failure>`, no engine in them |
 //! | [`sizes`] | how many cases each property gets; the only place to change that |
 //! | [`double`] | an attachment that fails on overdraw and prints pictures |
+//! | [`fuzzing`] | the fuzzer's targets: any bytes, decoded into cases of properties |
 //! | [`toy`] | formats small enough to enumerate |
 //! | [`golden`] | the reader of third-party goldens |
 //! | [`layers`] | the reader of the core's imports |
@@ -17,6 +18,7 @@
 pub mod double;
 pub mod failure;
 pub mod frame;
+pub mod fuzzing;
 pub mod golden;
 pub mod layers;
 pub mod oracle;

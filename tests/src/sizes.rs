@@ -86,6 +86,8 @@ table! {
     CROSSINGS = 4_000;
     /// Parts of each of the long enumerations.
     ENUMERATION = 3;
+    /// Random bytes for each of the fuzzer's targets.
+    BYTES = 400;
     /// Squares of lattice points on a side of the enumerations, centre sample; not cases: grows with
     /// the sixth root of the scale.
     LATTICE = 9;

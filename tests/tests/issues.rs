@@ -3,7 +3,12 @@
 use halfplane::{Region, Small, Standard, State, Vertex, draw};
 use halfplane_tests::{
     Frame,
-    properties::{clipping::pieces_have_one_winding, statistics::of_clip_space_add_up},
+    properties::{
+        clipping::{mesh_has_no_seam, pieces_have_one_winding},
+        neighbours::closed_surfaces_cancel,
+        statistics::of_clip_space_add_up,
+    },
+    shapes::Ground,
 };
 
 /// The id after the last one was computed, and overflowed, when a draw used the very last ids.
@@ -38,4 +43,22 @@ fn pentagon_that_snapping_twisted() {
         [0.000_732_421_9, 0.001_220_703_1, 0.5, 1.0],
     ];
     pieces_have_one_winding::<Standard>(&Frame::whole::<Standard>(32, 32), &triangle).unwrap();
+}
+
+/// A cut at the guard band came out beside it where an end of the edge is 2^53 times as far away, and one
+/// side of a closed surface covered samples that no other did.
+#[test]
+fn guard_band_cuts_an_edge_that_reaches_very_far() {
+    let corners =
+        [[0.0, 0.0, 0.0, 1.0], [0.0, -1e20, 0.0, 1.0], [1000.0, 0.0, 0.0, 1.0], [0.0, 1e20, 0.0, 1.0]];
+    closed_surfaces_cancel::<Standard>(&Frame::whole::<Standard>(64, 64), &corners).unwrap();
+}
+
+/// No bug of the core, but of a test: of a plane seen from its edge every sample was called outside, also
+/// those of thin triangles on the line.
+#[test]
+fn plane_seen_from_its_edge() {
+    let numbers = [15607, 15607, 15607, 11, 11, 11, 50, 46, 0, 0, 0, 63];
+    let frame = Frame { region: [76, 0, 104, 27], scissor: [76, 0, 104, 27], ..Frame::whole::<Small>(1, 1) };
+    mesh_has_no_seam::<Small>(&frame, &Ground::from_numbers(numbers, 9_476_562_641_788_044_163)).unwrap();
 }

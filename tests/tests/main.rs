@@ -1,6 +1,7 @@
 //! The drivers: each test hands cases of one engine to properties of the library.
 
 mod clipping;
+mod corpus;
 mod coverage;
 mod depth;
 mod entry;

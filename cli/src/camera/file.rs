@@ -78,7 +78,12 @@ pub fn beside(model: &Path) -> Result<Vec<Named>, CameraError> {
     parse(&text).map_err(|(line, expected)| CameraError::Line { path, line, expected })
 }
 
-fn parse(text: &str) -> Result<Vec<Named>, (usize, &'static str)> {
+/// The cameras in a text.
+///
+/// # Errors
+///
+/// The number of the first line that is not understood, and what should stand there.
+pub fn parse(text: &str) -> Result<Vec<Named>, (usize, &'static str)> {
     let mut cameras: Vec<Named> = Vec::new();
     for (number, line) in text.lines().enumerate() {
         let mut words = line.split_whitespace();

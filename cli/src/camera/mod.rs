@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 use glam::{DMat4, DVec3};
 
-pub use file::{Named, beside};
+pub use file::{Named, beside, parse};
 pub use frame::{frame, near_and_far};
 pub use lens::{Hand, Lens, View, matrix};
 

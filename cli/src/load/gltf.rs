@@ -21,6 +21,7 @@ pub(super) fn parse(bytes: &[u8], folder: Option<&Path>) -> Result<Mesh, Problem
         at: "not a well-formed glTF 2.0 file".to_owned(),
         expected: one_line(error),
     };
+    check_length(bytes)?;
     let Gltf { document, blob } = Gltf::from_slice(bytes).map_err(malformed)?;
     let buffers = gltf::import_buffers(&document, folder, blob).map_err(malformed)?;
     let mut reader = Reader {
@@ -35,6 +36,20 @@ pub(super) fn parse(bytes: &[u8], folder: Option<&Path>) -> Result<Mesh, Problem
         reader.walk(&node)?;
     }
     Ok(reader.mesh)
+}
+
+/// The length in a GLB header covers the header itself; the crate takes that for granted.
+fn check_length(bytes: &[u8]) -> Result<(), Problem> {
+    let Some(&[a, b, c, d]) = bytes.strip_prefix(b"glTF").and_then(|rest| rest.get(4..8)) else {
+        return Ok(());
+    };
+    match u32::from_le_bytes([a, b, c, d]) {
+        length @ ..12 => Err(Problem::Malformed {
+            at: "the GLB header".to_owned(),
+            expected: format!("its length is {length} bytes, it must be at least 12, the header's own"),
+        }),
+        _ => Ok(()),
+    }
 }
 
 struct Reader {
@@ -241,6 +256,14 @@ fn triangles(mode: Mode, indices: &[u32], at: &str) -> Result<Vec<u32>, Problem>
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_length_that_leaves_no_room_for_its_header_is_an_error() {
+        for length in 0..12 {
+            let file = [b"glTF\x02\0\0\0".as_slice(), &[length, 0, 0, 0]].concat();
+            assert!(matches!(parse(&file, None), Err(Problem::Malformed { .. })), "{length}");
+        }
+    }
 
     #[test]
     fn strips_and_fans_keep_their_winding() {

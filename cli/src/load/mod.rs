@@ -62,13 +62,24 @@ pub(crate) enum Problem {
 ///
 /// [`LoadError`] says what is wrong, where in the file, and what would be right.
 pub fn load(path: &Path) -> Result<(Mesh, Format), LoadError> {
+    let bytes =
+        fs::read(path).map_err(|error| LoadError { path: path.to_owned(), problem: Problem::Read(error) })?;
+    parse(path, &bytes, path.parent())
+}
+
+/// The mesh in `bytes`, the contents of a file at `path`; buffers in files of their own are looked for in
+/// `folder`, and refused without one.
+///
+/// # Errors
+///
+/// As [`load`].
+pub fn parse(path: &Path, bytes: &[u8], folder: Option<&Path>) -> Result<(Mesh, Format), LoadError> {
     let fail = |problem| LoadError { path: path.to_owned(), problem };
-    let bytes = fs::read(path).map_err(|error| fail(Problem::Read(error)))?;
-    let format = recognise(path, &bytes).ok_or_else(|| fail(Problem::Unknown))?;
+    let format = recognise(path, bytes).ok_or_else(|| fail(Problem::Unknown))?;
     let mesh = match format {
-        Format::Obj => obj::parse(&bytes),
-        Format::Gltf => gltf::parse(&bytes, path.parent()),
-        Format::Scn1 => scn1::parse(&bytes),
+        Format::Obj => obj::parse(bytes),
+        Format::Gltf => gltf::parse(bytes, folder),
+        Format::Scn1 => scn1::parse(bytes),
     };
     let mesh = mesh.and_then(check).map_err(fail)?;
     Ok((mesh, format))

@@ -121,7 +121,8 @@ impl Plane {
             Self::Near => [x, y, 0.0, w],
             Self::Far => [x, y, w, w],
             Self::Eye => [x, y, z, MIN_W],
-            _ => cut,
+            Self::Left(k) | Self::Right(k) => [k * w, y, z, w],
+            Self::Top(k) | Self::Bottom(k) => [x, k * w, z, w],
         }
     }
 }

@@ -86,14 +86,18 @@ fn has(polygon: &[[f64; 2]], point: [f64; 2]) -> bool {
     sign != 0.0 && edges(polygon).all(|(a, b)| sign * cross(a, b, point) >= 0.0)
 }
 
-/// Whether a line of either separates the convex polygon from the square.
+/// Whether a line along a side of either separates the convex polygon from the square; the polygon may be a
+/// line itself.
 fn apart(polygon: &[[f64; 2]], square: &[[f64; 2]; 4]) -> bool {
-    let sign = orientation(polygon);
-    let beyond_edge = |(a, b)| square.iter().all(|&corner| sign * cross(a, b, corner) < 0.0);
-    let beyond_axis = |axis: usize| {
-        let low = square.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min);
-        let high = square.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
-        polygon.iter().all(|p| p[axis] < low) || polygon.iter().all(|p| p[axis] > high)
+    let range = |values: &mut dyn Iterator<Item = f64>| {
+        values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
     };
-    sign == 0.0 || edges(polygon).any(beyond_edge) || beyond_axis(0) || beyond_axis(1)
+    let disjoint = |at: &dyn Fn([f64; 2]) -> f64| {
+        let [low, high] = range(&mut polygon.iter().map(|&p| at(p)));
+        let [square_low, square_high] = range(&mut square.iter().map(|&p| at(p)));
+        high < square_low || square_high < low
+    };
+    disjoint(&|[x, _]| x)
+        || disjoint(&|[_, y]| y)
+        || edges(polygon).any(|(a, b)| disjoint(&|point| cross(a, b, point)))
 }
