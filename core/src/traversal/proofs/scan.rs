@@ -1,0 +1,185 @@
+//! Proofs of the way over a rectangle's blocks.
+
+use crate::{
+    geometry::Region,
+    lanes::{ArrayLanes, Lanes},
+    numbers::{Bounds, Standard},
+    proof::{assume, cover, prove},
+    traversal::{
+        Mask,
+        scan::{Edge, scan},
+        step::{InBlock, Step, corner_steps},
+    },
+};
+
+/// Largest magnitude of an edge's deltas.
+const DELTA: i32 = Bounds::<Standard>::MAX_DELTA;
+/// Largest magnitude of an edge's value at a pixel of a rectangle that it crosses:
+/// `an_edge_is_decided_by_its_corners`.
+const VALUE: i32 = Bounds::<Standard>::MAX_TILE_VALUE as i32;
+
+/// The same where whole masks are compared: only signs matter to them, and those of wide values are proved
+/// lane by lane (`a_blocks_samples_are_exact`, `signs_are_the_negative_lanes`).
+const NARROW_DELTA: i32 = 1 << 4;
+const NARROW_VALUE: i32 = 1 << 7;
+
+/// An edge in every block, by the definition.
+fn in_block(a: i32, b: i32) -> InBlock<ArrayLanes> {
+    let mut lanes = [0; 16];
+    for (lane, value) in lanes.iter_mut().enumerate() {
+        let (column, row) = (lane as i32 & 3, lane as i32 >> 2);
+        *value = (column * a + row * b) as u32;
+    }
+    InBlock { lanes: ArrayLanes::load((), &lanes), highest: corner_steps(a, b, 4, 4).1 }
+}
+
+/// A rectangle of two blocks by two, and its edges' values against the masks of all its blocks.
+const LEFT: u32 = 8;
+const TOP: u32 = 4;
+
+/// The masks that a scan hands out for the blocks of the rectangle, row by row, and how often it visits
+/// each; `cut` as in `scan`.
+fn masks_of<const COLUMNS: usize, const ROWS: usize>(
+    steps: [Step; 3],
+    deltas: [[i32; 2]; 3],
+    cut: Option<Region<Standard>>,
+) -> ([[u16; COLUMNS]; ROWS], [[u8; COLUMNS]; ROWS], bool) {
+    let (right, bottom) = (LEFT + 4 * COLUMNS as u32, TOP + 4 * ROWS as u32);
+    let (mut masks, mut visits) = ([[0; COLUMNS]; ROWS], [[0; COLUMNS]; ROWS]);
+    let Ok(rectangle) = Region::<Standard>::new(LEFT, TOP, right, bottom) else {
+        return (masks, visits, false);
+    };
+    let blocks = deltas.map(|[a, b]| in_block(a, b));
+    let any = scan((), blocks, steps, rectangle, cut, |x, y, Mask(mask)| {
+        assert!(x % 4 == 0 && y % 4 == 0);
+        let (column, row) = (((x - LEFT) / 4) as usize, ((y - TOP) / 4) as usize);
+        masks[row][column] = mask;
+        visits[row][column] += 1;
+    });
+    (masks, visits, any)
+}
+
+/// The edge at a pixel of the rectangle, exactly.
+const fn at(Step { value, a, b }: Step, column: i32, row: i32) -> i64 {
+    value as i64 + column as i64 * a as i64 + row as i64 * b as i64
+}
+
+/// Whether an edge fits at the corners of a rectangle of that size, and so everywhere in it.
+fn fits(step: Step, columns: i32, rows: i32) -> bool {
+    let fits = |column, row| at(step, column, row).abs() <= i64::from(VALUE);
+    fits(0, 0) & fits(columns - 1, 0) & fits(0, rows - 1) & fits(columns - 1, rows - 1)
+}
+
+prove! {
+    /// One block to the right adds 4 A, one down 4 B, exactly where that block is still in the rectangle:
+    /// there the value fits. So by induction each block's value is the first one's plus 4 i A + 4 j B.
+    [Edge::new, Edge::to_the_right, Edge::below]
+    fn an_edge_steps_by_blocks(
+        value: i32 = -VALUE..=VALUE,
+        a: i32 = -DELTA..=DELTA,
+        b: i32 = -DELTA..=DELTA,
+    ) {
+        let edge = Edge::new(in_block(0, 0), Step { value, a, b });
+        let (right, down) = (i64::from(value) + 4 * i64::from(a), i64::from(value) + 4 * i64::from(b));
+        if right.abs() <= i64::from(VALUE) {
+            assert!(i64::from(edge.to_the_right().value) == right);
+        }
+        if down.abs() <= i64::from(VALUE) {
+            assert!(i64::from(edge.below().value) == down);
+        }
+        cover!(right < 0 && value > 0);
+        cover!(down > i64::from(VALUE));
+    }
+
+    /// A block's samples and its trivial-reject corner are the edge's values at its pixels, without a wrap
+    /// where these fit, as in the rectangle they do; a dropped edge is positive at all of them, whatever
+    /// its steps.
+    #[kani::unwind(17)]
+    [Edge::corner, Edge::samples, Step::DROPPED]
+    fn a_blocks_samples_are_exact(
+        value: i32 = -VALUE..=VALUE,
+        a: i32 = -DELTA..=DELTA,
+        b: i32 = -DELTA..=DELTA,
+        column: i32 = 0..=3,
+        row: i32 = 0..=3,
+    ) {
+        let step = Step { value, a, b };
+        let lane = (4 * row + column) as usize & 15;
+        let mut lanes = [0; 16];
+        let dropped = Edge::new(in_block(a, b), Step::DROPPED);
+        dropped.samples(()).store(&mut lanes);
+        assert!(lanes[lane] as i32 > 0 && dropped.corner() > 0);
+        assume!(fits(step, 4, 4));
+        let edge = Edge::new(in_block(a, b), step);
+        edge.samples(()).store(&mut lanes);
+        let exact = at(step, column, row);
+        assert!(i64::from(lanes[lane] as i32) == exact && i64::from(edge.corner()) >= exact);
+        cover!(exact < 0 && edge.corner() >= 0);
+    }
+
+    /// The masks of the four blocks of a rectangle are the per-sample test, for one edge that crosses it
+    /// beside two that accept it; a block is visited once where its mask is not empty, else never.
+    #[kani::unwind(17)]
+    [scan, Edge::new, Edge::corner, Edge::samples, Edge::to_the_right, Edge::below]
+    fn one_edges_masks_are_per_sample(
+        value: i32 = -NARROW_VALUE..=NARROW_VALUE,
+        a: i32 = -NARROW_DELTA..=NARROW_DELTA,
+        b: i32 = -NARROW_DELTA..=NARROW_DELTA,
+    ) {
+        let step = Step { value, a, b };
+        let (masks, visits, any) = masks_of::<2, 2>([Step::DROPPED, step, Step::DROPPED], [[a, b]; 3], None);
+        for row in 0..8 {
+            for column in 0..8 {
+                let mask = masks[row / 4][column / 4];
+                let inside = value + column as i32 * a + row as i32 * b >= 0;
+                assert!((mask >> (4 * (row % 4) + column % 4) & 1 != 0) == inside);
+                assert!(visits[row / 4][column / 4] == u8::from(mask != 0));
+            }
+        }
+        assert!(any == (masks != [[0; 2]; 2]));
+        cover!(masks == [[0, 1], [0, 0]]);
+        cover!(!any);
+    }
+
+    /// The same for three edges over one block.
+    #[kani::unwind(17)]
+    [scan]
+    fn three_edges_masks_are_per_sample(
+        values: [i32; 3] = [-NARROW_VALUE; 3]..=[NARROW_VALUE; 3],
+        a: [i32; 3] = [-NARROW_DELTA; 3]..=[NARROW_DELTA; 3],
+        b: [i32; 3] = [-NARROW_DELTA; 3]..=[NARROW_DELTA; 3],
+        column: i32 = 0..=3,
+        row: i32 = 0..=3,
+    ) {
+        let steps = [0, 1, 2].map(|k| Step { value: values[k], a: a[k], b: b[k] });
+        let [step0, step1, step2] = steps;
+        assume!(fits(step0, 4, 4) & fits(step1, 4, 4) & fits(step2, 4, 4));
+        let ([[mask]], [[visits]], any) = masks_of::<1, 1>(steps, [0, 1, 2].map(|k| [a[k], b[k]]), None);
+        let inside = (at(step0, column, row) >= 0) & (at(step1, column, row) >= 0) & (at(step2, column, row) >= 0);
+        assert!((mask >> (4 * row + column) & 1 != 0) == inside);
+        assert!(visits == u8::from(mask != 0) && any == (mask != 0));
+        cover!(inside && mask.count_ones() == 5);
+        cover!(!any && a[0] > 0 && b[1] < 0);
+    }
+
+    /// Of a rectangle that no edge cuts, the samples in the region, and no others; blocks without any are
+    /// not visited.
+    #[kani::unwind(17)]
+    [scan, Mask::of_block, Mask::and]
+    fn a_cut_rectangle_has_the_regions_samples(
+        ends: [u32; 4] = [0; 4]..=[32; 4],
+        column: u32 = 0..=7,
+        row: u32 = 0..=7,
+    ) {
+        let [x0, x1, y0, y1] = ends;
+        let Ok(region) = Region::new(x0, y0, x1, y1) else { return };
+        let (masks, visits, _) = masks_of::<2, 2>([Step::DROPPED; 3], [[0; 2]; 3], Some(region));
+        let (block_row, block_column) = (row as usize >> 2, column as usize >> 2);
+        let mask = masks[block_row][block_column];
+        let (x, y) = (LEFT + column, TOP + row);
+        let inside = x0 <= x && x < x1 && y0 <= y && y < y1;
+        assert!((mask >> (4 * (row & 3) + (column & 3)) & 1 != 0) == inside);
+        assert!(visits[block_row][block_column] == u8::from(mask != 0));
+        cover!(inside && mask == 1);
+    }
+}
