@@ -5,7 +5,7 @@ use crate::{
     attachments::{OutsideAttachment, StorageError, Tiled, blocks, texels},
     geometry::Region,
     numbers::{Format, Small, Standard},
-    proof::{cover, prove},
+    proof::{assume, cover, prove},
 };
 
 /// More elements than any region needs. They take no memory, so slices of any length are at hand.
@@ -17,29 +17,29 @@ fn region_of<F: Format>([x0, y0, columns, rows]: [u32; 4], less: [u32; 2]) -> Op
     Region::new(4 * x0, 4 * y0, x1, y1).ok()
 }
 
-/// The place of each block is that of the one before it, row by row, plus 1; the first is 0.
-fn places_are_counted_row_by_row<F: Format>(region: [u32; 4], less: [u32; 2], pixel: [u32; 2]) {
-    let Some(region) = region_of::<F>(region, less) else { return };
+/// The place of each block of a region, counted row by row; a block's pixels share it.
+fn places_are_counted_row_by_row<F: Format>(
+    blocks: [u32; 4],
+    less: [u32; 2],
+    [column, row]: [u32; 2],
+    [i, j]: [u32; 2],
+) {
+    let Some(region) = region_of::<F>(blocks, less) else { return };
+    let (x, y) = (region.x0() + 4 * column + i, region.y0() + 4 * row + j);
+    assume!(x < region.x1() && y < region.y1());
     let mut storage = [(); PLENTY];
     let Ok(tiled) = Tiled::new(region, &mut storage) else { unreachable!("there is plenty") };
-    let ([x, y], x0, y0) = (pixel, region.x0(), region.y0());
-    let inside = x0 <= x && x < region.x1() && y0 <= y && y < region.y1();
-    let place = tiled.index(x, y);
-    assert!(place.is_some() == inside);
-    let Some(place) = place else { return };
-    assert!(place == tiled.index(x & !3, y & !3).unwrap_or(PLENTY), "a block's pixels share it");
-    let last = (region.x1() - 1) & !3;
-    let before = if x & !3 > x0 {
-        tiled.index(x - 4, y)
-    } else if y & !3 > y0 {
-        tiled.index(last, y - 4)
-    } else {
-        assert!(place == 0);
-        return;
-    };
-    assert!(before.is_some_and(|before| before + 1 == place));
-    cover!(x & !3 == x0 && region.x1() % 4 == 1);
-    cover!(place > 1 << 12);
+    let [_, _, columns, _] = blocks;
+    assert!(tiled.index(x, y) == Some((row * columns + column) as usize));
+    cover!(row * columns > 1 << 12 && less[0] == 3);
+}
+
+fn only_pixels_inside_have_places<F: Format>(ends: [u32; 4], [x, y]: [u32; 2]) {
+    let [x0, y0, x1, y1] = ends;
+    let Ok(region) = Region::<F>::new(x0, y0, x1, y1) else { return };
+    let mut storage = [(); PLENTY];
+    let Ok(tiled) = Tiled::new(region, &mut storage) else { return };
+    assert!(tiled.index(x, y).is_some() == (x0 <= x && x < x1 && y0 <= y && y < y1));
 }
 
 /// The last block's place is the last of as many as `blocks` counts: none is out of range.
@@ -148,16 +148,26 @@ prove! {
         cover!(x0 % 4 == 0 && y0 % 4 == 0 && given + 1 == needed);
     }
 
-    /// Blocks have the places 0, 1, 2, .. row by row, and pixels of a block share it; with
-    /// `the_last_place_is_the_last`, the blocks of a region and the places of its storage are one to one,
-    /// and in range. Pixels outside have none.
+    /// The block in column c and row r of n columns has the place n r + c, c < n, whichever of its pixels
+    /// asks: 0, 1, 2, .. row by row. With `the_last_place_of_standard_is_the_last`, the blocks of a region
+    /// and the places of its storage are one to one, and in range.
     [Tiled::index]
     fn places_of_standard_are_counted_row_by_row(
         region: [u32; 4] = [0, 0, 1, 1]..=[Standard::MAX_TARGET / 4; 4],
         less: [u32; 2] = [0; 2]..=[3; 2],
+        block: [u32; 2] = [0; 2]..=[Standard::MAX_TARGET / 4 - 1; 2],
+        pixel: [u32; 2] = [0; 2]..=[3; 2],
+    ) {
+        places_are_counted_row_by_row::<Standard>(region, less, block, pixel);
+    }
+
+    /// Pixels of the region have a place, all others none.
+    [Tiled::index]
+    fn only_pixels_of_standard_inside_have_places(
+        ends: [u32; 4] = [0; 4]..=[Standard::MAX_TARGET; 4],
         pixel: [u32; 2],
     ) {
-        places_are_counted_row_by_row::<Standard>(region, less, pixel);
+        only_pixels_inside_have_places::<Standard>(ends, pixel);
     }
 
     /// The same for the small format.
@@ -165,9 +175,19 @@ prove! {
     fn places_of_small_are_counted_row_by_row(
         region: [u32; 4] = [0, 0, 1, 1]..=[Small::MAX_TARGET / 4; 4],
         less: [u32; 2] = [0; 2]..=[3; 2],
+        block: [u32; 2] = [0; 2]..=[Small::MAX_TARGET / 4 - 1; 2],
+        pixel: [u32; 2] = [0; 2]..=[3; 2],
+    ) {
+        places_are_counted_row_by_row::<Small>(region, less, block, pixel);
+    }
+
+    /// The same for the small format.
+    [Tiled::index]
+    fn only_pixels_of_small_inside_have_places(
+        ends: [u32; 4] = [0; 4]..=[Small::MAX_TARGET; 4],
         pixel: [u32; 2],
     ) {
-        places_are_counted_row_by_row::<Small>(region, less, pixel);
+        only_pixels_inside_have_places::<Small>(ends, pixel);
     }
 
     /// The last block has the last of the places that `blocks` counts.

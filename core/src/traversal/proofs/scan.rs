@@ -20,8 +20,8 @@ const VALUE: i32 = Bounds::<Standard>::MAX_TILE_VALUE as i32;
 
 /// The same where whole masks are compared: only signs matter to them, and those of wide values are proved
 /// lane by lane (`a_blocks_samples_are_exact`, `signs_are_the_negative_lanes`).
-const NARROW_DELTA: i32 = 1 << 4;
-const NARROW_VALUE: i32 = 1 << 7;
+const NARROW_DELTA: i32 = 1 << 3;
+const NARROW_VALUE: i32 = 1 << 6;
 
 /// An edge in every block, by the definition.
 fn in_block(a: i32, b: i32) -> InBlock<ArrayLanes> {
@@ -33,7 +33,7 @@ fn in_block(a: i32, b: i32) -> InBlock<ArrayLanes> {
     InBlock { lanes: ArrayLanes::load((), &lanes), highest: corner_steps(a, b, 4, 4).1 }
 }
 
-/// A rectangle of two blocks by two, and its edges' values against the masks of all its blocks.
+/// Where the rectangles begin.
 const LEFT: u32 = 8;
 const TOP: u32 = 4;
 
@@ -62,6 +62,16 @@ fn masks_of<const COLUMNS: usize, const ROWS: usize>(
 /// The edge at a pixel of the rectangle, exactly.
 const fn at(Step { value, a, b }: Step, column: i32, row: i32) -> i64 {
     value as i64 + column as i64 * a as i64 + row as i64 * b as i64
+}
+
+/// The samples inside an edge in the block that begins at a column and a row of the rectangle.
+fn samples(Step { value, a, b }: Step, column: i32, row: i32) -> u16 {
+    let mut inside = 0;
+    for place in 0..16 {
+        let (column, row) = (column + place % 4, row + place / 4);
+        inside |= u16::from(value + column * a + row * b >= 0) << place;
+    }
+    inside
 }
 
 /// Whether an edge fits at the corners of a rectangle of that size, and so everywhere in it.
@@ -117,28 +127,35 @@ prove! {
         cover!(exact < 0 && edge.corner() >= 0);
     }
 
-    /// The masks of the four blocks of a rectangle are the per-sample test, for one edge that crosses it
-    /// beside two that accept it; a block is visited once where its mask is not empty, else never.
+    /// The masks of two blocks side by side are the per-sample test, for one edge beside two that accept
+    /// them; a block is visited once where its mask is not empty, else never.
     #[kani::unwind(17)]
     [scan, Edge::new, Edge::corner, Edge::samples, Edge::to_the_right, Edge::below]
-    fn one_edges_masks_are_per_sample(
+    fn blocks_in_a_row_have_masks_per_sample(
         value: i32 = -NARROW_VALUE..=NARROW_VALUE,
         a: i32 = -NARROW_DELTA..=NARROW_DELTA,
         b: i32 = -NARROW_DELTA..=NARROW_DELTA,
     ) {
         let step = Step { value, a, b };
-        let (masks, visits, any) = masks_of::<2, 2>([Step::DROPPED, step, Step::DROPPED], [[a, b]; 3], None);
-        for row in 0..8 {
-            for column in 0..8 {
-                let mask = masks[row / 4][column / 4];
-                let inside = value + column as i32 * a + row as i32 * b >= 0;
-                assert!((mask >> (4 * (row % 4) + column % 4) & 1 != 0) == inside);
-                assert!(visits[row / 4][column / 4] == u8::from(mask != 0));
-            }
-        }
-        assert!(any == (masks != [[0; 2]; 2]));
-        cover!(masks == [[0, 1], [0, 0]]);
-        cover!(!any);
+        let ([[first, second]], [[once, again]], any) = masks_of::<2, 1>([Step::DROPPED, step, Step::DROPPED], [[a, b]; 3], None);
+        assert!(first == samples(step, 0, 0) && second == samples(step, 4, 0));
+        assert!(once == u8::from(first != 0) && again == u8::from(second != 0) && any == (first | second != 0));
+        cover!(first == 0 && second == 0x8888);
+    }
+
+    /// The same for two blocks one above the other.
+    #[kani::unwind(17)]
+    [scan, Edge::new, Edge::corner, Edge::samples, Edge::to_the_right, Edge::below]
+    fn blocks_in_a_column_have_masks_per_sample(
+        value: i32 = -NARROW_VALUE..=NARROW_VALUE,
+        a: i32 = -NARROW_DELTA..=NARROW_DELTA,
+        b: i32 = -NARROW_DELTA..=NARROW_DELTA,
+    ) {
+        let step = Step { value, a, b };
+        let ([[first], [second]], [[once], [again]], any) = masks_of::<1, 2>([Step::DROPPED, step, Step::DROPPED], [[a, b]; 3], None);
+        assert!(first == samples(step, 0, 0) && second == samples(step, 0, 4));
+        assert!(once == u8::from(first != 0) && again == u8::from(second != 0) && any == (first | second != 0));
+        cover!(first == 0 && second == 0xF000);
     }
 
     /// The same for three edges over one block.
@@ -148,17 +165,13 @@ prove! {
         values: [i32; 3] = [-NARROW_VALUE; 3]..=[NARROW_VALUE; 3],
         a: [i32; 3] = [-NARROW_DELTA; 3]..=[NARROW_DELTA; 3],
         b: [i32; 3] = [-NARROW_DELTA; 3]..=[NARROW_DELTA; 3],
-        column: i32 = 0..=3,
-        row: i32 = 0..=3,
     ) {
         let steps = [0, 1, 2].map(|k| Step { value: values[k], a: a[k], b: b[k] });
-        let [step0, step1, step2] = steps;
-        assume!(fits(step0, 4, 4) & fits(step1, 4, 4) & fits(step2, 4, 4));
+        let [inside0, inside1, inside2] = steps.map(|step| samples(step, 0, 0));
         let ([[mask]], [[visits]], any) = masks_of::<1, 1>(steps, [0, 1, 2].map(|k| [a[k], b[k]]), None);
-        let inside = (at(step0, column, row) >= 0) & (at(step1, column, row) >= 0) & (at(step2, column, row) >= 0);
-        assert!((mask >> (4 * row + column) & 1 != 0) == inside);
+        assert!(mask == inside0 & inside1 & inside2);
         assert!(visits == u8::from(mask != 0) && any == (mask != 0));
-        cover!(inside && mask.count_ones() == 5);
+        cover!(mask.count_ones() == 5);
         cover!(!any && a[0] > 0 && b[1] < 0);
     }
 

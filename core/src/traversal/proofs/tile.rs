@@ -1,7 +1,7 @@
 //! Proofs of a tile's squares.
 
 use crate::{
-    geometry::{Region, Sample, Triangle, Vertex},
+    geometry::{Edge, Region, Sample, Triangle, Vertex},
     lanes::ArrayLanes,
     numbers::{Bounds, Format, Small, Standard},
     proof::{assume, cover, prove},
@@ -17,11 +17,11 @@ const DELTA: i32 = Bounds::<Standard>::MAX_DELTA;
 /// `an_edge_is_decided_by_its_corners`.
 const VALUE: i32 = Bounds::<Standard>::MAX_TILE_VALUE as i32;
 
-/// A triangle over the whole of the largest target, and a region of it.
-fn everywhere() -> Option<Triangle<Small>> {
+/// A triangle over all pixels from (0, 0) to (256, 256).
+pub(super) fn everywhere() -> Option<Triangle<Small>> {
     let end = Bounds::<Small>::GUARD_BAND;
     let vertex = |x, y| Vertex::new(x, y, 0).ok();
-    Triangle::new([vertex(-end, -end)?, vertex(end, -end)?, vertex(-end, end)?], Sample::CENTER)
+    Triangle::new([vertex(-end, -end)?, vertex(end, -end)?, vertex(0, end)?], Sample::CENTER)
 }
 
 prove! {
@@ -63,60 +63,58 @@ prove! {
     }
 
     /// Of a triangle that is everywhere, each pixel of `blocks` in the tile is in one square, all others in
-    /// none; squares are within 16 x 16 pixels, and whole blocks.
+    /// none; squares are within 16 x 16 pixels, and whole blocks. For one tile: others differ in where
+    /// they are.
     #[kani::unwind(18)]
     [squares]
     fn squares_are_a_partition(
         ends: [u32; 4] = [0; 4]..=[32; 4],
-        tile: [u32; 2] = [0; 2]..=[1; 2],
         pixel: [u32; 2] = [0; 2]..=[127; 2],
     ) {
         let [x0, x1, y0, y1] = ends.map(|end| 4 * end);
         let (Some(triangle), Ok(blocks)) = (everywhere(), Region::new(x0, y0, x1, y1)) else { return };
         let [x, y] = pixel;
         let mut visits = 0;
-        squares::<ArrayLanes, Small>((), &triangle, blocks, tile.map(|at| TILE * at), |square, steps| {
+        squares::<ArrayLanes, Small>((), &triangle, blocks, [TILE, 0], |square, steps| {
             assert!(square == square.blocks() && square.width() <= SQUARE && square.height() <= SQUARE);
             assert!(steps == [Step::DROPPED; 3]);
             visits += u32::from(square.x0() <= x && x < square.x1() && square.y0() <= y && y < square.y1());
         });
         let inside = x0 <= x && x < x1 && y0 <= y && y < y1;
-        let in_tile = x / TILE == tile[0] && y / TILE == tile[1];
+        let in_tile = x / TILE == 1 && y / TILE == 0;
         assert!(visits == u32::from(inside && in_tile));
         cover!(visits == 1 && x0 > 0 && y1 < 64);
     }
 
-    /// Of triangles with one free corner: a pixel of the tile is in no square only where an edge rejects
-    /// it; in its square each edge has its own value there, or is dropped and accepts it. Narrow, for what
-    /// puts the proved parts together: all corners within the tile's 64 pixels, at whole ones.
+    /// Of triangles with a corner that is free in x: an edge has its own value at each square's first
+    /// pixel, or is dropped and accepts the whole square; what is left out is rejected by an edge's
+    /// trivial-reject corner. What puts the proved parts together is the same for all triangles.
     #[kani::unwind(18)]
     [squares, Step::all]
-    fn squares_keep_every_edges_values(
-        corner: [i32; 2] = [0; 2]..=[63; 2],
-        pixel: [u32; 2] = [0; 2]..=[63; 2],
-        first: u32 = 0..=3,
-    ) {
-        let pixels = Bounds::<Small>::STEPS_PER_PIXEL;
-        let vertex = |x: i32, y: i32| Vertex::<Small>::new(x * pixels, y * pixels, 0);
-        let [cx, cy] = corner;
-        let (Ok(a), Ok(b), Ok(c)) = (vertex(3, 2), vertex(50, 20), vertex(cx, cy)) else { return };
+    fn squares_keep_every_edges_values(corner: i32 = 0..=1023) {
+        let vertex = |x: i32, y: i32| Vertex::<Small>::new(x, y, 0);
+        let (Ok(a), Ok(b), Ok(c)) = (vertex(48, 32), vertex(800, 320), vertex(corner, 960)) else { return };
         let Some(triangle) = Triangle::new([a, b, c], Sample::CENTER) else { return };
-        let Ok(blocks) = Region::new(4 * first, 0, Small::MAX_TARGET, Small::MAX_TARGET) else { return };
-        let [x, y] = pixel;
-        let values = triangle.edges().map(|edge| edge.reduced(triangle.sample(), x, y));
-        let mut visits = 0;
+        let Ok(blocks) = Region::new(4, 8, Small::MAX_TARGET, 64) else { return };
+        let mut visited = [false; 16];
         squares::<ArrayLanes, Small>((), &triangle, blocks, [0, 0], |square, steps| {
-            if square.x0() <= x && x < square.x1() && square.y0() <= y && y < square.y1() {
-                visits += 1;
-                let (column, row) = ((x - square.x0()) as i32, (y - square.y0()) as i32);
-                for (step, exact) in steps.iter().zip(&values) {
-                    let value = step.value + column * step.a + row * step.b;
-                    assert!(value == *exact || (*step == Step::DROPPED && *exact >= 0));
-                }
+            let (x, y) = (square.x0(), square.y0());
+            visited[(4 * (y / SQUARE) + x / SQUARE) as usize & 15] = true;
+            for (step, edge) in steps.iter().zip(&triangle.edges()) {
+                let value = edge.reduced(triangle.sample(), x, y);
+                let (lowest, _) = corner_steps(edge.a(), edge.b(), square.width() as i32, square.height() as i32);
+                let is_its_own = step.value == value && step.a == edge.a() && step.b == edge.b();
+                assert!(is_its_own || (*step == Step::DROPPED && value + lowest >= 0));
             }
         });
-        assert!(visits == 1 || (visits == 0 && (x < 4 * first || values.iter().any(|value| *value < 0))));
-        cover!(visits == 1 && first == 3);
-        cover!(visits == 0 && x > 12);
+        for (place, visited) in visited.iter().enumerate() {
+            let (x, y) = (SQUARE * (place as u32 % 4), SQUARE * (place as u32 / 4));
+            let side = SQUARE as i32;
+            let rejects = |edge: &Edge<Small>| {
+                edge.reduced(triangle.sample(), x, y) + corner_steps(edge.a(), edge.b(), side, side).1 < 0
+            };
+            assert!(*visited != triangle.edges().iter().any(rejects));
+        }
+        cover!(!visited[12] && visited[13]);
     }
 }

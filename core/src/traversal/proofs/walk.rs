@@ -1,9 +1,10 @@
 //! Proofs of the way over a triangle's bounds.
 
+use super::tile::everywhere;
 use crate::{
     geometry::{Region, Sample, Triangle, Vertex},
     lanes::ArrayLanes,
-    numbers::{Bounds, Small},
+    numbers::Small,
     proof::{cover, prove},
     traversal::{traverse, walk::walk},
 };
@@ -66,10 +67,7 @@ prove! {
         x1: u32 = 124..=130,
         pixel: u32 = 48..=135,
     ) {
-        let end = Bounds::<Small>::GUARD_BAND;
-        let vertex = |x, y| Vertex::<Small>::new(x, y, 0);
-        let (Ok(a), Ok(b), Ok(c)) = (vertex(-end, -end), vertex(end, -end), vertex(-end, end)) else { return };
-        let Some(triangle) = Triangle::new([a, b, c], Sample::CENTER) else { return };
+        let Some(triangle) = everywhere() else { return };
         let Ok(region) = Region::new(x0, 4, x1, 7) else { return };
         let mut visits = 0;
         let any = walk::<ArrayLanes, Small>((), &triangle, region, region, |x, y, mask| {
