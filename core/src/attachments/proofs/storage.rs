@@ -42,16 +42,6 @@ fn only_pixels_inside_have_places<F: Format>(ends: [u32; 4], [x, y]: [u32; 2]) {
     assert!(tiled.index(x, y).is_some() == (x0 <= x && x < x1 && y0 <= y && y < y1));
 }
 
-/// The last block's place is the last of as many as `blocks` counts: none is out of range.
-fn the_last_place_is_the_last<F: Format>(region: [u32; 4], less: [u32; 2]) {
-    let Some(region) = region_of::<F>(region, less) else { return };
-    let mut storage = [(); PLENTY];
-    let Ok(tiled) = Tiled::new(region, &mut storage) else { unreachable!("there is plenty") };
-    let last = tiled.index(region.x1() - 1, region.y1() - 1);
-    assert!(last.is_some_and(|last| last + 1 == blocks(region.width(), region.height())));
-    cover!(last.is_some_and(|last| last > 1 << 12));
-}
-
 fn storage_fits_or_says_why<F: Format>(ends: [u32; 4], given: usize) {
     let [x0, y0, x1, y1] = ends;
     let Ok(region) = Region::<F>::new(x0, y0, x1, y1) else { return };
@@ -149,8 +139,8 @@ prove! {
     }
 
     /// The block in column c and row r of n columns has the place n r + c, c < n, whichever of its pixels
-    /// asks: 0, 1, 2, .. row by row. With `the_last_place_of_standard_is_the_last`, the blocks of a region
-    /// and the places of its storage are one to one, and in range.
+    /// asks: 0, 1, 2, .. row by row. So the blocks of a region and the places of its storage, of which
+    /// there are n m (`blocks_are_counted`), are one to one, and in range.
     [Tiled::index]
     fn places_of_standard_are_counted_row_by_row(
         region: [u32; 4] = [0, 0, 1, 1]..=[Standard::MAX_TARGET / 4; 4],
@@ -190,22 +180,20 @@ prove! {
         only_pixels_inside_have_places::<Small>(ends, pixel);
     }
 
-    /// The last block has the last of the places that `blocks` counts.
-    [Tiled::index, blocks]
-    fn the_last_place_of_standard_is_the_last(
-        region: [u32; 4] = [0, 0, 1, 1]..=[Standard::MAX_TARGET / 4; 4],
-        less: [u32; 2] = [0; 2]..=[3; 2],
-    ) {
-        the_last_place_is_the_last::<Standard>(region, less);
-    }
-
-    /// The same for the small format.
+    /// The last block has the last of the places that `blocks` counts: n (m - 1) + n - 1 of n m, which for
+    /// the standard format follows from `places_of_standard_are_counted_row_by_row` and
+    /// `blocks_are_counted`.
     [Tiled::index, blocks]
     fn the_last_place_of_small_is_the_last(
         region: [u32; 4] = [0, 0, 1, 1]..=[Small::MAX_TARGET / 4; 4],
         less: [u32; 2] = [0; 2]..=[3; 2],
     ) {
-        the_last_place_is_the_last::<Small>(region, less);
+        let Some(region) = region_of::<Small>(region, less) else { return };
+        let mut storage = [(); PLENTY];
+        let Ok(tiled) = Tiled::new(region, &mut storage) else { unreachable!("there is plenty") };
+        let last = tiled.index(region.x1() - 1, region.y1() - 1);
+        assert!(last.is_some_and(|last| last + 1 == blocks(region.width(), region.height())));
+        cover!(last.is_some_and(|last| last > 1 << 12));
     }
 
     /// An area that is not all inside is told with both rectangles.
