@@ -61,7 +61,7 @@ impl Default for DepthTest {
 pub struct Depth<'a, F: Format, D: DepthFormat<F> = D32> {
     texels: Tiled<'a, F, [D::Texel; 16]>,
     test: DepthTest,
-    plane: Option<(Plane<F>, [u32; 16])>,
+    pub(super) plane: Option<(Plane<F>, [u32; 16])>,
     format: PhantomData<D>,
 }
 

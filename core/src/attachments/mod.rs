@@ -9,6 +9,8 @@ mod coverage;
 mod depth;
 mod depth_format;
 mod ids;
+#[cfg(any(kani, test))]
+mod proofs;
 mod storage;
 
 pub use count::Count;

@@ -142,7 +142,7 @@ impl<'a, F: Format, T> Tiled<'a, F, T> {
     }
 
     #[inline]
-    fn index(&self, x: u32, y: u32) -> Option<usize> {
+    pub(super) fn index(&self, x: u32, y: u32) -> Option<usize> {
         let column = x.checked_sub(self.region.x0())?;
         let row = y.checked_sub(self.region.y0())?;
         if column >= self.region.width() || row >= self.region.height() {

@@ -2,6 +2,8 @@
 
 mod error;
 mod index;
+#[cfg(any(kani, test))]
+mod proofs;
 mod state;
 mod statistics;
 

@@ -82,7 +82,7 @@ impl Statistics {
     }
 }
 
-fn add(count: &mut u32, more: u32) {
+pub(super) fn add(count: &mut u32, more: u32) {
     *count = count.saturating_add(more);
 }
 

@@ -4,6 +4,8 @@
 //! are the implementation that is always there, and vector registers the one of the feature `simd`.
 
 mod array;
+#[cfg(any(kani, test))]
+mod proofs;
 #[cfg(feature = "simd")]
 mod vector;
 

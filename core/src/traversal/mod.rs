@@ -1,6 +1,8 @@
 //! From a set-up triangle to the masks of the 4x4 blocks it covers.
 
 mod mask;
+#[cfg(any(kani, test))]
+mod proofs;
 mod scan;
 mod step;
 mod tile;

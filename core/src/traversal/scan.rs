@@ -8,9 +8,9 @@ use crate::{geometry::Region, lanes::Lanes, numbers::Format};
 
 /// One edge on its way over the blocks.
 #[derive(Clone, Copy)]
-struct Edge<L> {
+pub(super) struct Edge<L> {
     /// Its value at a block's first pixel.
-    value: i32,
+    pub(super) value: i32,
     /// What it grows by from block to block, to the right and down.
     right: i32,
     down: i32,
@@ -19,30 +19,30 @@ struct Edge<L> {
 
 impl<L: Lanes> Edge<L> {
     #[inline(always)]
-    const fn new(block: InBlock<L>, Step { value, a, b }: Step) -> Self {
+    pub(super) const fn new(block: InBlock<L>, Step { value, a, b }: Step) -> Self {
         Self { value, right: 4 * a, down: 4 * b, block }
     }
 
     /// Its value at a block's trivial-reject corner, a pixel of the rectangle: it fits, as all do.
     #[inline(always)]
-    const fn corner(self) -> i32 {
+    pub(super) const fn corner(self) -> i32 {
         self.value.wrapping_add(self.block.highest)
     }
 
     #[inline(always)]
-    fn samples(self, token: L::Token) -> L {
+    pub(super) fn samples(self, token: L::Token) -> L {
         self.block.lanes.add(L::splat(token, self.value as u32))
     }
 
     /// The edge one block to the right. What is beyond the rectangle may have wrapped, and is not used.
     #[inline(always)]
-    const fn to_the_right(self) -> Self {
+    pub(super) const fn to_the_right(self) -> Self {
         Self { value: self.value.wrapping_add(self.right), ..self }
     }
 
     /// The edge one block down.
     #[inline(always)]
-    const fn below(self) -> Self {
+    pub(super) const fn below(self) -> Self {
         Self { value: self.value.wrapping_add(self.down), ..self }
     }
 }

@@ -32,7 +32,11 @@ impl Step {
     }
 
     #[inline(always)]
-    fn over<F: Format>(edge: Edge<F>, triangle: &Triangle<F>, rectangle: Region<F>) -> Option<Self> {
+    pub(super) fn over<F: Format>(
+        edge: Edge<F>,
+        triangle: &Triangle<F>,
+        rectangle: Region<F>,
+    ) -> Option<Self> {
         let value = edge.reduced(triangle.sample(), rectangle.x0(), rectangle.y0());
         let (a, b) = (edge.a(), edge.b());
         let (lowest, highest) = corner_steps(a, b, rectangle.width() as i32, rectangle.height() as i32);
@@ -74,7 +78,7 @@ impl<L: Lanes> InBlock<L> {
     }
 
     #[inline(always)]
-    fn of<F: Format>(token: L::Token, edge: Edge<F>) -> Self {
+    pub(super) fn of<F: Format>(token: L::Token, edge: Edge<F>) -> Self {
         let (_, highest) = corner_steps(edge.a(), edge.b(), 4, 4);
         Self { lanes: L::ramp(token, 0, edge.a(), edge.b()), highest }
     }

@@ -14,7 +14,7 @@ use crate::{
 pub(super) const TILE: u32 = 64;
 
 /// Pixels in a square's width and height.
-const SQUARE: u32 = TILE / 4;
+pub(super) const SQUARE: u32 = TILE / 4;
 
 /// Visits the squares of the tile at (`x`, `y`), multiples of 64, that no edge rejects, row by row, with
 /// the edges over each. A square is given as its whole blocks that are in `blocks`, itself whole blocks; it
@@ -33,13 +33,10 @@ pub(super) fn squares<L: Lanes, F: Format>(
     let mut rejected = 0;
     let mut accepted = [0; 3];
     let mut values = [[0; 16]; 3];
-    let side = SQUARE as i32;
     for ((step, accepted), values) in steps.iter().zip(&mut accepted).zip(&mut values) {
-        let first = L::ramp(token, step.value, side * step.a, side * step.b);
-        let (lowest, highest) = corner_steps(step.a, step.b, side, side);
-        rejected |= first.add(L::splat(token, highest as u32)).signs();
-        *accepted = !first.add(L::splat(token, lowest as u32)).signs();
-        first.store(values);
+        let (rejects, accepts) = classify::<L>(token, *step, values);
+        rejected |= rejects;
+        *accepted = accepts;
     }
     for (column, row) in Mask(!rejected).cells() {
         let (left, top) = (x + column * SQUARE, y + row * SQUARE);
@@ -57,4 +54,14 @@ pub(super) fn squares<L: Lanes, F: Format>(
         }
         visit(square, inside);
     }
+}
+
+/// The squares that an edge over a tile rejects, and those it accepts; its values at their first pixels.
+#[inline(always)]
+pub(super) fn classify<L: Lanes>(token: L::Token, step: Step, values: &mut [u32; 16]) -> (u16, u16) {
+    let side = SQUARE as i32;
+    let first = L::ramp(token, step.value, side * step.a, side * step.b);
+    let (lowest, highest) = corner_steps(step.a, step.b, side, side);
+    first.store(values);
+    (first.add(L::splat(token, highest as u32)).signs(), !first.add(L::splat(token, lowest as u32)).signs())
 }

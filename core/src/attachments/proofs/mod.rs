@@ -1,0 +1,6 @@
+//! Proofs of the attachments.
+
+mod depth;
+mod samples;
+mod storage;
+mod texels;
