@@ -237,27 +237,21 @@ prove! {
         causes_are_found_in_order::<Small>(corners, area, cull);
     }
 
-    /// A whole draw of two triangles of three vertices, two of them free on a narrow range: all of them are
-    /// accounted for, and what is counted as drawn has samples.
+    /// A whole draw of two triangles, one with a corner at 64 places, one a line: both are accounted for,
+    /// and what is counted as drawn has samples.
     #[kani::unwind(18)]
     [draw, draw_with, draw_one]
-    fn slow_a_draw_accounts_for_its_triangles(
-        corners: [i32; 2] = [-16; 2]..=[80; 2],
-        indices: [u8; 6] = [0; 6]..=[2; 6],
-        first_id: u32,
-    ) {
-        assume!(first_id <= u32::MAX - 2);
+    fn slow_a_draw_accounts_for_its_triangles(corner: i32 = 0..=63, first_id: u32 = 0..=u32::MAX - 2) {
         let vertex = |x, y| Vertex::<Small>::new(x, y, 0);
-        let [x, y] = corners;
-        let (Ok(a), Ok(b), Ok(c)) = (vertex(0, 0), vertex(x, y), vertex(40, 90)) else { return };
+        let (Ok(a), Ok(b), Ok(c)) = (vertex(3, 2), vertex(2 * corner - 40, 40), vertex(20, 60)) else { return };
         let Ok(region) = Region::of_size(4, 4) else { return };
         let mut count = Count::default();
-        let result = draw(&[a, b, c][..], &indices, first_id, &State::new(region), &mut count);
+        let result = draw(&[a, b, c][..], &[0_u8, 1, 2, 2, 1, 2], first_id, &State::new(region), &mut count);
         let Ok(statistics) = result else { unreachable!("nothing is wrong with it") };
         let Statistics { submitted, drawn, culled, rejected, .. } = statistics;
-        assert!(submitted == 2 && drawn + culled.total() + rejected.total() == 2);
-        assert!((drawn == 0) == (count.samples == 0) && count.samples <= 16 * u64::from(drawn));
-        cover!(drawn == 2);
-        cover!(drawn == 1 && culled.zero_area == 1);
+        assert!(submitted == 2 && drawn + culled.total() + rejected.total() == 2 && culled.zero_area >= 1);
+        assert!((drawn == 0) == (count.samples == 0) && count.samples <= 16);
+        cover!(drawn == 1);
+        cover!(drawn == 0);
     }
 }
