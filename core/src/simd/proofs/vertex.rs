@@ -2,7 +2,7 @@
 
 use super::{
     super::vertex::{PLANES, SPECIAL, Snapped, frustum_code, snap, snap_one, split, transpose3, unorm32},
-    Floats, floats, ints, simd, words,
+    Floats, LANES, floats, ints, simd, words,
 };
 use crate::{
     geometry::Region,
@@ -15,10 +15,10 @@ use fearless_simd::prelude::*;
 prove! {
     /// The scalar snapping: for every float within the guard band.
     [snap, Coordinate::snap]
-    fn snapping_is_the_scalar_one(bits: u32, lane: usize = 0..=15) {
+    fn snapping_is_the_scalar_one(bits: u32) {
         let pixels = f32::from_bits(bits);
         assume!(pixels.abs() <= 32768.0);
-        let steps = ints(snap(simd(), Floats::splat(simd(), pixels)))[lane];
+        let steps = ints(snap(simd(), Floats::splat(simd(), pixels)))[LANES[1]];
         assert!(Coordinate::<Standard>::snap(pixels).is_some_and(|c| c.steps() == steps));
         cover!(steps == Bounds::<Standard>::GUARD_BAND);
         cover!(steps == -1);
@@ -26,20 +26,20 @@ prove! {
 
     /// The scalar depth, within the vertices' range: for every float from 0 to 1.
     [unorm32, numbers::unorm32]
-    fn unorm32_is_the_scalar_one(bits: u32, lane: usize = 0..=15) {
+    fn unorm32_is_the_scalar_one(bits: u32) {
         let depth = f32::from_bits(bits);
         assume!((0.0..=1.0).contains(&depth));
         let expected = numbers::unorm32(depth).clamp(DEPTH32_MIN, DEPTH32_MAX);
-        assert!(words(unorm32(simd(), Floats::splat(simd(), depth)))[lane] == expected);
+        assert!(words(unorm32(simd(), Floats::splat(simd(), depth)))[LANES[1]] == expected);
         cover!(expected == DEPTH32_MAX);
         cover!(expected == 3);
     }
 
     /// A bit for each plane of the frustum that excludes a finite vertex; none for another.
     [frustum_code, bit, Plane::excludes]
-    fn codes_are_planes(bits: [u32; 4], lane: usize = 0..=15) {
+    fn codes_are_planes(bits: [u32; 4]) {
         let vertex = bits.map(f32::from_bits);
-        let code = ints(frustum_code(simd(), vertex.map(|v| Floats::splat(simd(), v))))[lane];
+        let code = ints(frustum_code(simd(), vertex.map(|v| Floats::splat(simd(), v))))[LANES[1]];
         let finite = vertex.iter().all(|v| v.is_finite());
         for (at, plane) in Plane::FRUSTUM.into_iter().enumerate() {
             assert!(code >> at & 1 == i32::from(finite && plane.excludes(vertex)));

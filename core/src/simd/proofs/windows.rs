@@ -11,6 +11,7 @@ use crate::proof::{assume, cover, prove};
 use fearless_simd::prelude::*;
 
 /// The first row of sixteen triangles with one edge A x + F >= 0, a left one or a right one.
+#[inline(always)]
 fn first_row(value: i32, a: i32) -> u32 {
     let crossing = Crossing { value: value as f32 + 0.5, step: 0.0, factor: -1.0 / a as f32 };
     let far = |factor| Crossing { value: 1_000_000.0, step: 0.0, factor };
@@ -24,6 +25,7 @@ fn first_row(value: i32, a: i32) -> u32 {
     words(Rows::new(simd(), &batch).next(simd()))[5]
 }
 
+#[inline(always)]
 fn row_is_exact(value: i32, a: i32, x: u32) {
     let row = first_row(value, a);
     let inside = i64::from(value) + i64::from(a) * i64::from(x) >= 0;
@@ -33,6 +35,7 @@ fn row_is_exact(value: i32, a: i32, x: u32) {
 }
 
 /// A mask's bit for a sample.
+#[inline(always)]
 fn bit(pairs: &[u32], column: u32, row: u32) -> u32 {
     let mask = pairs[(column / 8) as usize] >> (column / 4 % 2 * 16) & 0xFFFF;
     mask >> (4 * row + column % 4) & 1
