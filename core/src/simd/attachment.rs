@@ -102,7 +102,7 @@ macro_rules! tiled_rows {
 /// Gradients per pixel are multiples of 2^-56: their low 24 bits times at most 3 + 3 pixels, and a half,
 /// fit 32 bits, so nothing is lost.
 #[inline(always)]
-fn offsets<S: Simd>(simd: S, gradients: Gradients, half: u32) -> u32x16<S> {
+pub(super) fn offsets<S: Simd>(simd: S, gradients: Gradients, half: u32) -> u32x16<S> {
     let columns = u32x16::simd_from(simd, [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3]);
     let rows = u32x16::simd_from(simd, [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3]);
     let high = columns * u32x16::splat(simd, (gradients.x >> 32) as u32)

@@ -109,7 +109,7 @@ pub(super) fn draw_medium<S: Simd, A: RowAttachment>(
 
 /// The lanes of a mask's low sixteen bits.
 #[inline(always)]
-fn inside<S: Simd>(simd: S, bits: u32) -> mask32x16<S> {
+pub(super) fn inside<S: Simd>(simd: S, bits: u32) -> mask32x16<S> {
     mask32x16::from_bitmask(simd, u64::from(bits & 0xFFFF))
 }
 

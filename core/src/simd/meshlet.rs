@@ -107,19 +107,19 @@ pub fn make_meshlets<'m, I: Index>(
 }
 
 /// A meshlet in the making.
-struct Builder {
-    meshlet: Meshlet,
+pub(super) struct Builder {
+    pub(super) meshlet: Meshlet,
     /// The mesh's numbers of the vertices.
     names: [u32; VERTICES],
 }
 
 impl Builder {
-    fn new(first: u32) -> Self {
+    pub(super) fn new(first: u32) -> Self {
         Self { meshlet: Meshlet { first, ..Meshlet::EMPTY }, names: [0; VERTICES] }
     }
 
     /// Adds a triangle; `false`, and nothing changes, where it does not fit.
-    fn add(&mut self, corners: [u32; 3], positions: &[[f32; 3]]) -> bool {
+    pub(super) fn add(&mut self, corners: [u32; 3], positions: &[[f32; 3]]) -> bool {
         let mut names = self.names;
         let mut vertices = self.meshlet.vertices;
         let mut places = [0; 3];
@@ -177,7 +177,7 @@ impl Meshlet {
     };
 
     /// Sets a vertex and widens the box.
-    fn place(&mut self, at: usize, position: [f32; 3]) {
+    pub(super) fn place(&mut self, at: usize, position: [f32; 3]) {
         let finite = position.iter().all(|v| v.is_finite());
         let axes = self.positions.iter_mut().zip(self.low.iter_mut().zip(&mut self.high));
         for ((axis, (low, high)), value) in axes.zip(position) {
@@ -206,7 +206,7 @@ impl Meshlet {
     }
 
     /// A vertex.
-    fn position(&self, at: usize) -> Option<[f32; 3]> {
+    pub(super) fn position(&self, at: usize) -> Option<[f32; 3]> {
         let [x, y, z] = &self.positions;
         if at >= self.vertices() {
             return None;

@@ -57,6 +57,8 @@ mod level;
 mod meshlet;
 mod ops;
 mod pipeline;
+#[cfg(any(kani, test))]
+mod proofs;
 mod queue;
 mod rows;
 mod setup;

@@ -305,7 +305,7 @@ fn draw_rows<S: Simd, R: Rows<S>, A: RowAttachment>(
 
 /// No samples in the rows outside y0..y1.
 #[inline(always)]
-fn clip_rows<S: Simd>(simd: S, count: i32x16<S>, y: u32, y0: u32, y1: u32) -> i32x16<S> {
+pub(super) fn clip_rows<S: Simd>(simd: S, count: i32x16<S>, y: u32, y0: u32, y1: u32) -> i32x16<S> {
     let rows = i32x16::simd_from(simd, [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15])
         + i32x16::splat(simd, y as i32);
     let there = rows.simd_ge(i32x16::splat(simd, y0 as i32)) & rows.simd_lt(i32x16::splat(simd, y1 as i32));
@@ -314,14 +314,14 @@ fn clip_rows<S: Simd>(simd: S, count: i32x16<S>, y: u32, y0: u32, y1: u32) -> i3
 
 /// In each lane, the least of the four lanes that it stands among.
 #[inline(always)]
-fn least_of_four<S: Simd>(lanes: i32x16<S>) -> i32x16<S> {
+pub(super) fn least_of_four<S: Simd>(lanes: i32x16<S>) -> i32x16<S> {
     let two = lanes.min(lanes.slide_within_blocks::<2>(lanes));
     two.min(two.slide_within_blocks::<1>(two))
 }
 
 /// In each lane, the greatest of the four lanes that it stands among.
 #[inline(always)]
-fn greatest_of_four<S: Simd>(lanes: i32x16<S>) -> i32x16<S> {
+pub(super) fn greatest_of_four<S: Simd>(lanes: i32x16<S>) -> i32x16<S> {
     let two = lanes.max(lanes.slide_within_blocks::<2>(lanes));
     two.max(two.slide_within_blocks::<1>(two))
 }
@@ -329,14 +329,14 @@ fn greatest_of_four<S: Simd>(lanes: i32x16<S>) -> i32x16<S> {
 /// Each lane's column, from block `from` on, shifted by -2^31 so that signed comparisons order it as
 /// unsigned.
 #[inline(always)]
-fn columns<S: Simd>(simd: S, from: u32) -> i32x16<S> {
+pub(super) fn columns<S: Simd>(simd: S, from: u32) -> i32x16<S> {
     i32x16::simd_from(simd, [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3])
         + i32x16::splat(simd, (4 * from) as i32 + i32::MIN)
 }
 
 /// Each lane four times, four lanes in each row of memory.
 #[inline(always)]
-fn spread<S: Simd>(simd: S, lanes: i32x16<S>, out: &mut [[i32; 16]; 4]) {
+pub(super) fn spread<S: Simd>(simd: S, lanes: i32x16<S>, out: &mut [[i32; 16]; 4]) {
     let (low, high) = simd.interleave_i32x16(lanes, lanes);
     let (first, second) = simd.interleave_i32x16(low, low);
     let (third, fourth) = simd.interleave_i32x16(high, high);
@@ -349,7 +349,7 @@ fn spread<S: Simd>(simd: S, lanes: i32x16<S>, out: &mut [[i32; 16]; 4]) {
 
 /// Sixteen numbers as four times four.
 #[inline(always)]
-fn quarters(sixteen: &[i32; 16]) -> [[i32; 4]; 4] {
+pub(super) fn quarters(sixteen: &[i32; 16]) -> [[i32; 4]; 4] {
     let [a0, a1, a2, a3, b0, b1, b2, b3, c0, c1, c2, c3, d0, d1, d2, d3] = *sixteen;
     [[a0, a1, a2, a3], [b0, b1, b2, b3], [c0, c1, c2, c3], [d0, d1, d2, d3]]
 }

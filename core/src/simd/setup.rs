@@ -197,17 +197,17 @@ fn store_edge<S: Simd>(from: &Crossing<f32x16<S>>, to: &mut Crossing<[f32; 16]>)
 
 /// One edge of sixteen triangles.
 #[derive(Clone, Copy)]
-struct Edge<S: Simd> {
+pub(super) struct Edge<S: Simd> {
     /// The reduced edge value at the first sample.
-    value: i32x16<S>,
-    a: i32x16<S>,
-    b: i32x16<S>,
+    pub(super) value: i32x16<S>,
+    pub(super) a: i32x16<S>,
+    pub(super) b: i32x16<S>,
 }
 
 impl<S: Simd> Edge<S> {
     /// A, B, and e at the sample (`x`, `y`).
     #[inline(always)]
-    fn new(simd: S, start: Corner<S>, end: Corner<S>, x: i32x16<S>, y: i32x16<S>) -> Self {
+    pub(super) fn new(simd: S, start: Corner<S>, end: Corner<S>, x: i32x16<S>, y: i32x16<S>) -> Self {
         let (a, b) = (start.y - end.y, end.x - start.x);
         let zero = splat(simd, 0);
         let value = a * (x - start.x) + b * (y - start.y);
@@ -237,7 +237,7 @@ impl<S: Simd> Edge<S> {
     }
 
     #[inline(always)]
-    fn crossing(self, simd: S) -> Crossing<f32x16<S>> {
+    pub(super) fn crossing(self, simd: S) -> Crossing<f32x16<S>> {
         Crossing {
             value: f32x16::float_from(self.value) + f32x16::splat(simd, 0.5),
             step: f32x16::float_from(self.b),
@@ -249,7 +249,7 @@ impl<S: Simd> Edge<S> {
 
 /// Orders the edges: a left one, a right one, the third. A triangle with an area has both.
 #[inline(always)]
-fn place_edges<S: Simd>(
+pub(super) fn place_edges<S: Simd>(
     simd: S,
     [e0, e1, e2]: [Edge<S>; 3],
     first: f32x16<S>,
@@ -270,12 +270,12 @@ fn place_edges<S: Simd>(
 
 /// The depth planes of sixteen triangles.
 #[derive(Clone, Copy)]
-struct Plane<S: Simd> {
-    anchor: Corner<S>,
-    depth: u32x16<S>,
+pub(super) struct Plane<S: Simd> {
+    pub(super) anchor: Corner<S>,
+    pub(super) depth: u32x16<S>,
     /// Gradients per step to the right and per step down: 32.32 fixed point modulo 2^64.
-    x: [u64x8<S>; 2],
-    y: [u64x8<S>; 2],
+    pub(super) x: [u64x8<S>; 2],
+    pub(super) y: [u64x8<S>; 2],
 }
 
 impl<S: Simd> Plane<S> {
@@ -299,7 +299,7 @@ impl<S: Simd> Plane<S> {
 
     /// The value at the origin, and what pixels add.
     #[inline(always)]
-    fn store(&self, simd: S, x: i32x16<S>, y: i32x16<S>, depth: DepthSetup, batch: &mut Batch) {
+    pub(super) fn store(&self, simd: S, x: i32x16<S>, y: i32x16<S>, depth: DepthSetup, batch: &mut Batch) {
         let (depth0, depth1) = simd.widen_u32x16(self.depth);
         let [dx0, dx1] = sign_extend(simd, x - self.anchor.x);
         let [dy0, dy1] = sign_extend(simd, y - self.anchor.y);
@@ -327,7 +327,7 @@ fn store_words<S: Simd>(to: &mut [u64; 16], low: u64x8<S>, high: u64x8<S>) {
 
 /// One half of each.
 #[inline(always)]
-fn half<S: Simd>(k: usize, all: [Doubles<S>; 8]) -> [f64x8<S>; 8] {
+pub(super) fn half<S: Simd>(k: usize, all: [Doubles<S>; 8]) -> [f64x8<S>; 8] {
     let [a, b, c, d, e, f, g, h] = all;
     let k = k & 1;
     [a[k], b[k], c[k], d[k], e[k], f[k], g[k], h[k]]
@@ -335,7 +335,7 @@ fn half<S: Simd>(k: usize, all: [Doubles<S>; 8]) -> [f64x8<S>; 8] {
 
 /// Both gradients of eight planes.
 #[inline(always)]
-fn gradients<S: Simd>(simd: S, plane: [f64x8<S>; 8]) -> (u64x8<S>, u64x8<S>) {
+pub(super) fn gradients<S: Simd>(simd: S, plane: [f64x8<S>; 8]) -> (u64x8<S>, u64x8<S>) {
     let [za, zb, zc, dx1, dy1, dx2, dy2, area] = plane;
     let (dz1, dz2) = (zb - za, zc - za);
     let inverse = f64x8::splat(simd, 1.0) / area;
@@ -354,7 +354,7 @@ fn gradients<S: Simd>(simd: S, plane: [f64x8<S>; 8]) -> (u64x8<S>, u64x8<S>) {
 /// of halves (D is no multiple of 2^33), so it is at least 1 / (2 D) > 2^-32 away from those, and rounding
 /// the estimate rounds it.
 #[inline(always)]
-fn gradient<S: Simd>(simd: S, numerator: f64x8<S>, area: f64x8<S>, inverse: f64x8<S>) -> u64x8<S> {
+pub(super) fn gradient<S: Simd>(simd: S, numerator: f64x8<S>, area: f64x8<S>, inverse: f64x8<S>) -> u64x8<S> {
     let digit = f64x8::splat(simd, 65536.0);
     // Adding 1.5 * 2^52 rounds to the nearest integer and leaves it in the low bits, in two's complement.
     let magic = f64x8::splat(simd, 6_755_399_441_055_744.0);
@@ -369,7 +369,7 @@ fn gradient<S: Simd>(simd: S, numerator: f64x8<S>, area: f64x8<S>, inverse: f64x
 
 /// `crate::unorm16` of sixteen depths, kept in the vertices' range, in the upper half.
 #[inline(always)]
-fn unorm16<S: Simd>(simd: S, depth: u32x16<S>) -> u32x16<S> {
+pub(super) fn unorm16<S: Simd>(simd: S, depth: u32x16<S>) -> u32x16<S> {
     let (one, zero) = (u32x16::splat(simd, 1), u32x16::splat(simd, 0));
     let (high, low) = (depth >> 16, depth & u32x16::splat(simd, 0xFFFF));
     let borrow = low.simd_lt(high);

@@ -28,7 +28,11 @@ pub(super) fn split(records: &mut [Snapped]) -> (&mut [[u32; 2]], &mut [u32]) {
 }
 
 /// Place and depth of one vertex, by the definitions.
-fn snap_one(clip: [f32; 4], viewport: &Viewport<Standard>, planes: &[Plane; 7]) -> ([u32; 2], u32) {
+pub(super) fn snap_one(
+    clip: [f32; 4],
+    viewport: &Viewport<Standard>,
+    planes: &[Plane; 7],
+) -> ([u32; 2], u32) {
     let finite = clip.iter().all(|v| v.is_finite());
     let outside = planes.iter().any(|plane| plane.excludes(clip));
     let [.., w] = clip;
@@ -140,7 +144,7 @@ impl<S: Simd> VertexLanes<S> {
 
 /// Pixels to steps, to nearest with ties to even: exact below 2^23 steps.
 #[inline(always)]
-fn snap<S: Simd>(simd: S, pixels: f32x16<S>) -> i32x16<S> {
+pub(super) fn snap<S: Simd>(simd: S, pixels: f32x16<S>) -> i32x16<S> {
     i32x16::truncate_from((pixels * f32x16::splat(simd, 256.0)).round_ties_even())
 }
 
@@ -153,7 +157,7 @@ fn bit<S: Simd>(simd: S, mask: mask32x16<S>, value: i32) -> i32x16<S> {
 /// SPECIAL with a bit for each plane of `Plane::FRUSTUM` that excludes the vertex, in that order; no
 /// bit where a component is not finite.
 #[inline(always)]
-fn frustum_code<S: Simd>(simd: S, [x, y, z, w]: [f32x16<S>; 4]) -> i32x16<S> {
+pub(super) fn frustum_code<S: Simd>(simd: S, [x, y, z, w]: [f32x16<S>; 4]) -> i32x16<S> {
     let zero = f32x16::splat(simd, 0.0);
     let code = bit(simd, z.simd_lt(zero), 1)
         | bit(simd, z.simd_gt(w), 2)
@@ -172,7 +176,7 @@ fn frustum_code<S: Simd>(simd: S, [x, y, z, w]: [f32x16<S>; 4]) -> i32x16<S> {
 /// floats in two halves of 16 bits. Floor adds 1 to Z where f - 1/2 >= z, which is exact as well, and
 /// takes 1 away where z > 1/2 (f is 0 there).
 #[inline(always)]
-fn unorm32<S: Simd>(simd: S, z: f32x16<S>) -> u32x16<S> {
+pub(super) fn unorm32<S: Simd>(simd: S, z: f32x16<S>) -> u32x16<S> {
     let digit = f32x16::splat(simd, 65536.0);
     let half = f32x16::splat(simd, 0.5);
     let high = z * digit;
@@ -191,7 +195,7 @@ fn unorm32<S: Simd>(simd: S, z: f32x16<S>) -> u32x16<S> {
 
 /// x, y and z of sixteen positions.
 #[inline(always)]
-fn transpose3<S: Simd>(simd: S, positions: &[[f32; 3]; 16]) -> [f32x16<S>; 3] {
+pub(super) fn transpose3<S: Simd>(simd: S, positions: &[[f32; 3]; 16]) -> [f32x16<S>; 3] {
     let flat = positions.as_flattened();
     let (x0, y0, z0) = transpose4(simd, flat, 0);
     let (x1, y1, z1) = transpose4(simd, flat, 12);

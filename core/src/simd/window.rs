@@ -22,9 +22,9 @@ pub struct MeshletScratch {
     members: [u8; CAPACITY],
     /// The meshlets' numbers, and where their triangles begin.
     meshlets: [(u32, u32); MEMBERS],
-    vertices: usize,
-    count: usize,
-    member: u8,
+    pub(super) vertices: usize,
+    pub(super) count: usize,
+    pub(super) member: u8,
 }
 
 impl Default for MeshletScratch {

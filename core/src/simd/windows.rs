@@ -16,7 +16,7 @@ const _: () = assert!(MEDIUM[0] * 4 <= 30);
 /// The masks of sixteen triangles' windows: for each row of blocks and each two columns, those of two
 /// blocks, the left one in the low bits.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Windows([[[u32; 16]; PAIRS]; ROWS]);
+pub(super) struct Windows(pub(super) [[[u32; 16]; PAIRS]; ROWS]);
 
 impl Windows {
     pub(super) const EMPTY: Self = Self([[[0; 16]; PAIRS]; ROWS]);
@@ -89,7 +89,7 @@ impl Windows {
 }
 
 /// Rows of sixteen triangles.
-struct Rows<S: Simd> {
+pub(super) struct Rows<S: Simd> {
     values: [f32x16<S>; 3],
     steps: [f32x16<S>; 3],
     factors: [f32x16<S>; 3],
@@ -100,7 +100,7 @@ struct Rows<S: Simd> {
 
 impl<S: Simd> Rows<S> {
     #[inline(always)]
-    fn new(simd: S, batch: &Batch) -> Self {
+    pub(super) fn new(simd: S, batch: &Batch) -> Self {
         let Crossings { edges: [left, right, third], third: bound, first, end } = &batch.crossings;
         Self {
             values: [load(simd, &left.value), load(simd, &right.value), load(simd, &third.value)],
@@ -114,7 +114,7 @@ impl<S: Simd> Rows<S> {
 
     /// The next row of samples: a bit for each that is covered.
     #[inline(always)]
-    fn next(&mut self, simd: S) -> u32x16<S> {
+    pub(super) fn next(&mut self, simd: S) -> u32x16<S> {
         let ([left, right, third], [left_step, right_step, third_step]) = (self.values, self.steps);
         let [left_factor, right_factor, third_factor] = self.factors;
         let (bound, first, end) = (self.bound, self.first, self.end);
@@ -134,7 +134,7 @@ fn load<S: Simd>(simd: S, lanes: &[f32; 16]) -> f32x16<S> {
 
 /// The first pair of masks where rows have at most 8 bits.
 #[inline(always)]
-fn narrow<S: Simd>(simd: S, [m0, m1, m2, m3]: [u32x16<S>; 4]) -> u32x16<S> {
+pub(super) fn narrow<S: Simd>(simd: S, [m0, m1, m2, m3]: [u32x16<S>; 4]) -> u32x16<S> {
     let nibble = u32x16::splat(simd, 0xF);
     let left = merge(nibble, m0, m1 << 4) & u32x16::splat(simd, 0xFF)
         | (merge(nibble, m2, m3 << 4) & u32x16::splat(simd, 0xFF)) << 8;
@@ -144,7 +144,7 @@ fn narrow<S: Simd>(simd: S, [m0, m1, m2, m3]: [u32x16<S>; 4]) -> u32x16<S> {
 
 /// All pairs of masks: nibble b of row j becomes nibble j of mask b.
 #[inline(always)]
-fn wide<S: Simd>(simd: S, [m0, m1, m2, m3]: [u32x16<S>; 4]) -> [u32x16<S>; PAIRS] {
+pub(super) fn wide<S: Simd>(simd: S, [m0, m1, m2, m3]: [u32x16<S>; 4]) -> [u32x16<S>; PAIRS] {
     // Byte p: nibbles 2 p of rows 0 and 1, of rows 2 and 3; nibbles 2 p + 1 of rows 0 and 1, of rows 2 and 3.
     let nibbles = u32x16::splat(simd, 0x0F0F_0F0F);
     let (a, b) = (merge(nibbles, m0, m1 << 4), merge(nibbles, m2, m3 << 4));

@@ -8,6 +8,8 @@ mod clip;
 mod model;
 mod plane;
 mod positions;
+#[cfg(any(kani, test))]
+mod proofs;
 mod triangulate;
 mod viewport;
 

@@ -53,7 +53,7 @@ impl<F: Format> Positions<F> for ClipPositions<'_, F> {
 
 /// Whether no component is NaN or infinite.
 #[inline]
-fn are_finite(corners: &[[f32; 4]; 3]) -> bool {
+pub(super) fn are_finite(corners: &[[f32; 4]; 3]) -> bool {
     let mut above = 0;
     for v in corners.as_flattened() {
         above |= u32::from(v.to_bits() << 1 >= f32::INFINITY.to_bits() << 1);

@@ -34,7 +34,7 @@ pub(super) fn triangulate<F: Format>(mut polygon: Polygon<Vertex<F>>, mut emit: 
 }
 
 /// The vertex at a place between its neighbours.
-fn corner<F: Format>(polygon: &Polygon<Vertex<F>>, at: usize) -> Option<[Vertex<F>; 3]> {
+pub(super) fn corner<F: Format>(polygon: &Polygon<Vertex<F>>, at: usize) -> Option<[Vertex<F>; 3]> {
     let vertices = polygon.vertices();
     let previous = if at == 0 { vertices.last() } else { vertices.get(at - 1) };
     let next = vertices.get(at + 1).or(vertices.first());
@@ -42,18 +42,18 @@ fn corner<F: Format>(polygon: &Polygon<Vertex<F>>, at: usize) -> Option<[Vertex<
 }
 
 /// Greater for clockwise, less for counter-clockwise.
-fn turn<F: Format>(triangle: Option<[Vertex<F>; 3]>) -> Ordering {
+pub(super) fn turn<F: Format>(triangle: Option<[Vertex<F>; 3]>) -> Ordering {
     triangle.map_or(Ordering::Equal, |t| doubled_area(t).cmp(&F::Wide::default()))
 }
 
 /// The winding of a polygon without flat corners: that of its topmost, then leftmost corner.
-fn winding<F: Format>(polygon: &Polygon<Vertex<F>>) -> Ordering {
+pub(super) fn winding<F: Format>(polygon: &Polygon<Vertex<F>>) -> Ordering {
     let top = polygon.vertices().iter().enumerate().min_by_key(|(_, v)| (v.y(), v.x()));
     turn(top.and_then(|(at, _)| corner(polygon, at)))
 }
 
 /// Removes vertices on the line through their neighbours: they change no coverage.
-fn remove_flat<F: Format>(polygon: &mut Polygon<Vertex<F>>) {
+pub(super) fn remove_flat<F: Format>(polygon: &mut Polygon<Vertex<F>>) {
     let mut at = 0;
     let mut left = MAX_VERTICES * MAX_VERTICES;
     while at < polygon.vertices().len() && left > 0 {
@@ -68,7 +68,7 @@ fn remove_flat<F: Format>(polygon: &mut Polygon<Vertex<F>>) {
 }
 
 /// Whether the corner turns with the polygon and no vertex lies strictly inside it.
-fn is_ear<F: Format>(polygon: &Polygon<Vertex<F>>, at: usize, winding: Ordering) -> bool {
+pub(super) fn is_ear<F: Format>(polygon: &Polygon<Vertex<F>>, at: usize, winding: Ordering) -> bool {
     let Some([a, b, c]) = corner(polygon, at) else { return false };
     turn(Some([a, b, c])) == winding
         && !polygon

@@ -1,0 +1,79 @@
+//! Meshlets in the making.
+
+use super::super::{
+    meshlet::{Builder, Meshlet, TRIANGLES, VERTICES, max_meshlets},
+    window::MeshletScratch,
+};
+use crate::proof::{cover, prove};
+
+prove! {
+    /// Enough room: each meshlet but the last is full of triangles, or of vertices, three new ones to a
+    /// triangle at most.
+    [max_meshlets]
+    fn meshlets_hold_all_triangles(triangles: usize) {
+        let most = max_meshlets(triangles);
+        assert!(most as u128 * (VERTICES as u128 / 3) >= triangles as u128);
+        assert!(most == 0 || (most as u128 - 1) * (VERTICES as u128 / 3) < triangles as u128);
+        cover!(triangles == usize::MAX);
+    }
+
+    /// A vertex widens the box to itself, or without end where it is not finite.
+    #[kani::unwind(4)]
+    [Meshlet::place]
+    fn boxes_hold_their_vertices(bits: [u32; 3], low: u32, high: u32) {
+        let position = bits.map(f32::from_bits);
+        let (low, high) = (f32::from_bits(low), f32::from_bits(high));
+        if low.is_nan() || high.is_nan() {
+            return;
+        }
+        let mut meshlet = Meshlet::EMPTY;
+        (meshlet.low, meshlet.high) = ([low; 3], [high; 3]);
+        meshlet.place(VERTICES - 1, position);
+        let finite = position.iter().all(|v| v.is_finite());
+        for axis in 0..3 {
+            let (new_low, new_high) = (meshlet.low[axis], meshlet.high[axis]);
+            if finite {
+                assert!(new_low <= position[axis] && position[axis] <= new_high);
+                assert!(new_low == low || new_low == position[axis]);
+                assert!(new_high == high || new_high == position[axis]);
+            } else {
+                assert!(new_low == f32::NEG_INFINITY && new_high == f32::INFINITY);
+            }
+            assert!(new_low <= low && high <= new_high);
+            assert!(meshlet.positions[axis][VERTICES - 1].to_bits() == bits[axis]);
+        }
+        meshlet.place(VERTICES, [0.0; 3]);
+        cover!(!finite);
+        cover!(finite && meshlet.low[0] == low);
+    }
+
+    /// A triangle is added with new vertices at the end, its corners naming them.
+    #[kani::unwind(100)]
+    [Builder::new, Builder::add, Meshlet::corners, Meshlet::vertices, Meshlet::position]
+    fn triangles_find_their_vertices(first: [u32; 3] = [0; 3]..=[3; 3], second: [u32; 3] = [0; 3]..=[3; 3], corner: usize = 0..=2) {
+        let positions = [0.0, 1.0, 2.0, 3.0].map(|x| [x, 0.0, 0.0]);
+        let mut builder = Builder::new(7);
+        let added = [builder.add(first, &positions), builder.add(second, &positions)];
+        assert!(added == [true; 2]);
+        let meshlet = &builder.meshlet;
+        assert!(meshlet.corners().len() == 2 && meshlet.first() == 7);
+        for (triangle, at) in [first, second].into_iter().zip(0..2) {
+            let place = usize::from(meshlet.corners()[at][corner]);
+            assert!(meshlet.position(place) == Some(positions[triangle[corner] as usize]));
+        }
+        let distinct = (0..4).filter(|v| first.contains(v) || second.contains(v)).count();
+        assert!(meshlet.vertices() == distinct);
+        cover!(distinct == 4);
+        cover!(distinct == 1);
+    }
+
+    /// There is room for what [`MeshletScratch::add`] may add, and sums do not overflow.
+    [MeshletScratch::has_room]
+    fn rooms_are_large_enough(vertices: usize = 0..=2048, count: usize = 0..=2048, member: u8) {
+        let mut scratch = MeshletScratch::NEW;
+        (scratch.vertices, scratch.count, scratch.member) = (vertices, count, member);
+        let room = scratch.has_room();
+        assert!(!room || (vertices + VERTICES <= 2048 && count + TRIANGLES <= 2048 && member < 255));
+        cover!(room && vertices == 2048 - VERTICES);
+    }
+}

@@ -1,0 +1,70 @@
+//! Depths and gradients of sixteen triangles.
+
+use super::{
+    super::setup::{gradient, gradients, half, unorm16},
+    LANES, Vectors, Words, longs, simd, words,
+};
+use crate::{
+    numbers::{self, DEPTH16_MAX, DEPTH16_MIN},
+    proof::{assume, cover, prove},
+};
+use fearless_simd::{f64x8, prelude::*};
+
+#[inline(always)]
+fn splat(value: f64) -> f64x8<Vectors> {
+    f64x8::splat(simd(), value)
+}
+
+/// The gradient is the nearest to 2^32 N / D, ties upwards: 2^33 N + D - 2 D q is in [0, 2 D). Of numerators below
+/// 2^29, so that 64 bits hold it.
+#[inline(always)]
+fn gradient_is_nearest(numerator: i64, area: i32) {
+    let divisor = f64::from(area);
+    let word = longs(gradient(simd(), splat(numerator as f64), splat(divisor), splat(1.0 / divisor)))[0];
+    let area = i64::from(area);
+    let left = (numerator << 33) + area - 2 * area * (word as i64);
+    assert!(0 <= left && left < 2 * area);
+    cover!(numerator == -5);
+}
+
+prove! {
+    /// The gradient for areas of 2^k: the quotient's digits come out exact.
+    [gradient, half]
+    fn gradients_by_a_power_of_two(numerator: i64 = -(1 << 28)..=1 << 28) {
+        gradient_is_nearest(numerator, 1 << 12);
+    }
+
+    /// The gradient for an area of 3.
+    [gradient]
+    fn slow_gradients_by_3(numerator: i64 = -(1 << 20)..=1 << 20) {
+        gradient_is_nearest(numerator, 3);
+    }
+
+    /// Small numerators and areas.
+    [gradient]
+    fn slow_gradients_of_small_areas(numerator: i64 = -15..=15, area: i32 = 1..=7) {
+        gradient_is_nearest(numerator, area);
+    }
+
+    /// Both numerators are exact: depths of 32 bits, differences of corners within the small extent, whose
+    /// products are below 2^48. For an area of 1 and depths that differ by one product only.
+    [gradients, half]
+    fn numerators_are_exact(z: u32, dx: i32 = -15..=15, dy: i32 = -15..=15) {
+        let plane = half(0, [0.0, f64::from(z), 0.0, 1.0, 2.0, f64::from(dx), f64::from(dy), 1.0].map(|v| [splat(v); 2]));
+        let (x, y) = gradients(simd(), plane);
+        let z = i64::from(z);
+        assert!(longs(x)[0] == (z * i64::from(dy)).wrapping_shl(32) as u64);
+        assert!(longs(y)[0] == (z * i64::from(-dx)).wrapping_shl(32) as u64);
+        cover!(longs(y)[0] > 1 << 63);
+    }
+
+    /// The scalar unorm16, within the vertices' range, in the upper half: for every depth.
+    [unorm16, numbers::unorm16]
+    fn unorm16_is_the_scalar_one(depth: u32) {
+        let expected = numbers::unorm16(depth).clamp(DEPTH16_MIN, DEPTH16_MAX) << 16;
+        assert!(words(unorm16(simd(), Words::splat(simd(), depth)))[LANES[1]] == expected);
+        cover!(expected == 3 << 16);
+        assume!(expected != 2 << 16);
+        cover!(depth % 65537 == 32768);
+    }
+}

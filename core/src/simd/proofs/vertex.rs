@@ -1,0 +1,93 @@
+//! The vertex stage.
+
+use super::{
+    super::vertex::{PLANES, SPECIAL, Snapped, frustum_code, snap, snap_one, split, transpose3, unorm32},
+    Floats, LANES, floats, ints, simd, words,
+};
+use crate::{
+    geometry::Region,
+    numbers::{self, Bounds, Coordinate, DEPTH32_MAX, DEPTH32_MIN, Standard},
+    proof::{assume, cover, prove},
+    transform::{Plane, Viewport},
+};
+use fearless_simd::prelude::*;
+
+prove! {
+    /// The scalar snapping: for every float within the guard band.
+    [snap, Coordinate::snap]
+    fn snapping_is_the_scalar_one(bits: u32) {
+        let pixels = f32::from_bits(bits);
+        assume!(pixels.abs() <= 32768.0);
+        let steps = ints(snap(simd(), Floats::splat(simd(), pixels)))[LANES[1]];
+        assert!(Coordinate::<Standard>::snap(pixels).is_some_and(|c| c.steps() == steps));
+        cover!(steps == Bounds::<Standard>::GUARD_BAND);
+        cover!(steps == -1);
+    }
+
+    /// The scalar depth, within the vertices' range: for every float from 0 to 1.
+    [unorm32, numbers::unorm32]
+    fn unorm32_is_the_scalar_one(bits: u32) {
+        let depth = f32::from_bits(bits);
+        assume!((0.0..=1.0).contains(&depth));
+        let expected = numbers::unorm32(depth).clamp(DEPTH32_MIN, DEPTH32_MAX);
+        assert!(words(unorm32(simd(), Floats::splat(simd(), depth)))[LANES[1]] == expected);
+        cover!(expected == DEPTH32_MAX);
+        cover!(expected == 3);
+    }
+
+    /// A bit for each plane of the frustum that excludes a finite vertex; none for another.
+    [frustum_code, bit, Plane::excludes]
+    fn codes_are_planes(bits: [u32; 4]) {
+        let vertex = bits.map(f32::from_bits);
+        let code = ints(frustum_code(simd(), vertex.map(|v| Floats::splat(simd(), v))))[LANES[1]];
+        let finite = vertex.iter().all(|v| v.is_finite());
+        for (at, plane) in Plane::FRUSTUM.into_iter().enumerate() {
+            assert!(code >> at & 1 == i32::from(finite && plane.excludes(vertex)));
+        }
+        assert!(code & !PLANES == SPECIAL && code >> Plane::FRUSTUM.len() & 1 == 0);
+        cover!(finite && code & PLANES == 1);
+    }
+
+    /// The scalar path puts the same code where a vertex has no place, and places inside the guard band.
+    [snap_one, Viewport::project]
+    fn places_and_codes_are_apart(bits: [u32; 4]) {
+        let vertex = bits.map(f32::from_bits);
+        let Ok(region) = Region::of_size(64, 64) else { return };
+        let viewport = Viewport::new(region);
+        let planes = Plane::clipping(viewport.guard_band());
+        let ([x, y], z) = snap_one(vertex, &viewport, &planes);
+        let finite = vertex.iter().all(|v| v.is_finite());
+        if (x as i32) <= SPECIAL + PLANES {
+            for (at, plane) in Plane::FRUSTUM.into_iter().enumerate() {
+                assert!(x >> at & 1 == u32::from(finite && plane.excludes(vertex)));
+            }
+            assert!(y == 0 && z == 0);
+        } else {
+            let band = Bounds::<Standard>::GUARD_BAND as u32;
+            assert!((x as i32).unsigned_abs() <= band && (y as i32).unsigned_abs() <= band);
+            assert!((DEPTH32_MIN..=DEPTH32_MAX).contains(&z));
+            assert!(finite && !planes.iter().any(|plane| plane.excludes(vertex)));
+        }
+        cover!(x == SPECIAL as u32 | 1);
+        cover!(x == 256 && y == 512);
+    }
+
+    /// x, y and z of each position come to its lane.
+    #[kani::unwind(17)]
+    [transpose3, transpose4, load, join]
+    fn positions_are_transposed(bits: [[u32; 3]; 16], lane: usize = 0..=15) {
+        let positions = bits.map(|bits| bits.map(f32::from_bits));
+        let [x, y, z] = transpose3(simd(), &positions).map(|axis| floats(axis)[lane].to_bits());
+        assert!([x, y, z] == bits[lane]);
+    }
+
+    /// Scratch memory is split into a place and a depth for each vertex.
+    [split]
+    fn records_are_split(count: usize = 0..=4) {
+        let mut records = [Snapped::default(); 4];
+        let Some(records) = records.get_mut(..count) else { return };
+        let (places, depths) = split(records);
+        assert!(places.len() == count && depths.len() == count);
+        cover!(count == 4);
+    }
+}

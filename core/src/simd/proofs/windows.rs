@@ -1,0 +1,101 @@
+//! Rows of bits, and the masks of blocks made of them.
+
+use super::{
+    super::{
+        setup::{Batch, Crossing},
+        windows::{Rows, Windows, narrow, wide},
+    },
+    Words, simd, words,
+};
+use crate::proof::{assume, cover, prove};
+use fearless_simd::prelude::*;
+
+/// The first row of sixteen triangles with one edge A x + F >= 0, a left one or a right one.
+#[inline(always)]
+fn first_row(value: i32, a: i32) -> u32 {
+    let crossing = Crossing { value: value as f32 + 0.5, step: 0.0, factor: -1.0 / a as f32 };
+    let far = |factor| Crossing { value: 1_000_000.0, step: 0.0, factor };
+    let mut batch = Batch::EMPTY;
+    let edges = if a > 0 { [crossing, far(1.0), far(1.0)] } else { [far(-1.0), crossing, far(1.0)] };
+    for (to, from) in batch.crossings.edges.iter_mut().zip(edges) {
+        *to = Crossing { value: [from.value; 16], step: [from.step; 16], factor: [from.factor; 16] };
+    }
+    batch.crossings.third = [f32::NEG_INFINITY; 16];
+    batch.crossings.end = [30.0; 16];
+    words(Rows::new(simd(), &batch).next(simd()))[5]
+}
+
+#[inline(always)]
+fn row_is_exact(value: i32, a: i32, x: u32) {
+    let row = first_row(value, a);
+    let inside = i64::from(value) + i64::from(a) * i64::from(x) >= 0;
+    assert!(row >> x & 1 == u32::from(inside));
+    cover!(inside && x == 29);
+    cover!(!inside && x == 29);
+}
+
+/// A mask's bit for a sample.
+#[inline(always)]
+fn bit(pairs: &[u32], column: u32, row: u32) -> u32 {
+    let mask = pairs[(column / 8) as usize] >> (column / 4 % 2 * 16) & 0xFFFF;
+    mask >> (4 * row + column % 4) & 1
+}
+
+prove! {
+    /// Four rows of up to 30 bits, sorted into the masks of 4x4 blocks.
+    #[kani::unwind(17)]
+    [wide, merge]
+    fn wide_rows_become_masks(rows: [u32; 4] = [0; 4]..=[(1 << 30) - 1; 4], column: u32 = 0..=29, row: u32 = 0..=3) {
+        let masks = wide(simd(), rows.map(|bits| Words::splat(simd(), bits))).map(|lanes| words(lanes)[5]);
+        assert!(bit(&masks, column, row) == rows[row as usize] >> column & 1);
+    }
+
+    /// Four rows of up to 8 bits.
+    #[kani::unwind(17)]
+    [narrow, merge]
+    fn narrow_rows_become_masks(rows: [u32; 4] = [0; 4]..=[255; 4], column: u32 = 0..=7, row: u32 = 0..=3) {
+        let masks = words(narrow(simd(), rows.map(|bits| Words::splat(simd(), bits))))[5];
+        assert!(bit(&[masks], column, row) == rows[row as usize] >> column & 1);
+    }
+
+    /// Masks are found where they were put.
+    #[kani::unwind(17)]
+    [Windows::rows, Windows::small]
+    fn masks_belong_to_lanes(first: u32, second: u32, lane: usize = 0..=15) {
+        let mut windows = Windows::EMPTY;
+        windows.0[0][0][lane] = first;
+        windows.0[1][0][lane] = second;
+        assert!(windows.small(lane) == [first, second]);
+        let Some(row) = windows.rows(lane).nth(1) else { unreachable!("there are sixteen") };
+        assert!(row == [second, 0, 0, 0]);
+    }
+
+    /// The crossing of a left edge falls on the right side of every pixel: A = 1.
+    #[kani::unwind(17)]
+    [Rows::new, Rows::next, ceil, power_of_two]
+    fn left_crossings_of_slope_1_are_exact(value: i32 = -(1 << 20)..=1 << 20, x: u32 = 0..=29) {
+        row_is_exact(value, 1, x);
+    }
+
+    /// A = 3.
+    #[kani::unwind(17)]
+    [Rows::new, Rows::next, ceil, power_of_two]
+    fn left_crossings_of_slope_3_are_exact(value: i32 = -(1 << 20)..=1 << 20, x: u32 = 0..=29) {
+        row_is_exact(value, 3, x);
+    }
+
+    /// The largest A, a right edge.
+    #[kani::unwind(17)]
+    [Rows::new, Rows::next, ceil, power_of_two]
+    fn right_crossings_of_the_largest_slope_are_exact(value: i32 = -(1 << 20)..=1 << 20, x: u32 = 0..=29) {
+        row_is_exact(value, -30719, x);
+    }
+
+    /// Small slopes.
+    #[kani::unwind(17)]
+    [Rows::new, Rows::next, ceil, power_of_two]
+    fn crossings_of_small_slopes_are_exact(value: i32 = -512..=511, a: i32 = -15..=15, x: u32 = 0..=29) {
+        assume!(a != 0);
+        row_is_exact(value, a, x);
+    }
+}

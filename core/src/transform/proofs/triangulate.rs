@@ -1,0 +1,154 @@
+//! Triangles of a polygon.
+
+use crate::{
+    geometry::Vertex,
+    numbers::{Bounds, Format, Small, Standard},
+    proof::{assume, cover, prove},
+    transform::{
+        clip::Polygon,
+        triangulate::{corner, is_ear, remove_flat, triangulate, turn, winding},
+    },
+};
+use core::cmp::Ordering;
+
+/// A polygon with vertices at these places; the depth is the number of the vertex, from 2 on.
+fn polygon<F: Format, const N: usize>(places: [[i32; 2]; N]) -> Option<Polygon<Vertex<F>>> {
+    let mut polygon = Polygon::empty(Vertex::new(0, 0, 0).ok()?);
+    for (number, [x, y]) in (2..).zip(places) {
+        polygon.push(Vertex::new(x, y, number).ok()?);
+    }
+    Some(polygon)
+}
+
+/// Twice the area of a polygon.
+fn area<const N: usize>(places: [[i32; 2]; N]) -> i64 {
+    let mut area = 0;
+    for at in 0..N {
+        let ([x0, y0], [x1, y1]) = (places[at].map(i64::from), places[(at + 1) % N].map(i64::from));
+        area += x0 * y1 - x1 * y0;
+    }
+    area
+}
+
+/// Triangles of vertices that the polygon has, at most N - 2, their areas adding up to its own.
+fn is_cut_into_triangles<const N: usize>(places: [[i32; 2]; N]) {
+    let Some(polygon) = polygon::<Small, N>(places) else { return };
+    let (mut count, mut sum, mut known) = (0, 0, true);
+    triangulate(polygon, |triangle| {
+        count += 1;
+        sum += area(triangle.map(|v| [v.x(), v.y()]));
+        for v in triangle {
+            known &= places.get((v.z() - 2) as usize) == Some(&[v.x(), v.y()]);
+        }
+    });
+    assert!(count <= N - 2);
+    assert!(sum == area(places));
+    assert!(known);
+    cover!(count == N - 2);
+    cover!(count == 0);
+}
+
+/// The sign of the area, by the definition.
+fn turns<F: Format>([ax, ay, bx, by, cx, cy]: [i32; 6]) {
+    let (Ok(a), Ok(b), Ok(c)) = (Vertex::<F>::new(ax, ay, 0), Vertex::new(bx, by, 0), Vertex::new(cx, cy, 0))
+    else {
+        return;
+    };
+    assert!(turn(Some([a, b, c])) == area([[ax, ay], [bx, by], [cx, cy]]).cmp(&0));
+    cover!(turn(Some([a, b, c])) == Ordering::Less);
+}
+
+/// Steps in the guard band.
+const STANDARD: i32 = Bounds::<Standard>::GUARD_BAND;
+/// The same of the small format.
+const SMALL: i32 = Bounds::<Small>::GUARD_BAND;
+
+prove! {
+    /// A corner is a vertex between the one before and the one after, the first following on the last;
+    /// there is none beyond the last.
+    #[kani::unwind(6)]
+    [corner]
+    fn corners_are_between_neighbours(at: usize = 0..=6) {
+        let places = [[0, 1], [2, 3], [4, 5], [6, 7], [8, 9]];
+        let Some(polygon) = polygon::<Small, 5>(places) else { return };
+        let found = corner(&polygon, at).map(|vertices| vertices.map(|v| [v.x(), v.y()]));
+        let expected = (at < 5).then(|| [places[(at + 4) % 5], places[at % 5], places[(at + 1) % 5]]);
+        assert!(found == expected);
+        cover!(at == 4);
+        cover!(found.is_none());
+    }
+
+    /// A turn is the sign of the exact area.
+    [turn, doubled_area, i64::product]
+    fn turn_is_the_sign_of_the_area(places: [i32; 6] = [-STANDARD; 6]..=[STANDARD; 6]) {
+        turns::<Standard>(places);
+    }
+
+    /// The same for the small format.
+    [turn, doubled_area, i32::product]
+    fn small_turn_is_the_sign_of_the_area(places: [i32; 6] = [-SMALL; 6]..=[SMALL; 6]) {
+        turns::<Small>(places);
+    }
+
+    /// A triangle is emitted as it is, one without area is not.
+    #[kani::unwind(12)]
+    [triangulate, remove_flat, winding, is_ear, corner, turn]
+    fn triangles_stay(places: [i32; 6] = [-2; 6]..=[2; 6]) {
+        let [ax, ay, bx, by, cx, cy] = places;
+        is_cut_into_triangles([[ax, ay], [bx, by], [cx, cy]]);
+    }
+
+    /// A quadrangle is cut into two triangles at most.
+    #[kani::unwind(12)]
+    [triangulate, remove_flat, winding, is_ear, corner, turn]
+    fn slow_quadrangles_are_cut(places: [i32; 8] = [0; 8]..=[2; 8]) {
+        let [ax, ay, bx, by, cx, cy, dx, dy] = places;
+        is_cut_into_triangles([[ax, ay], [bx, by], [cx, cy], [dx, dy]]);
+    }
+
+    /// The corner of a quadrangle is an ear where it turns with it and does not hold the fourth vertex.
+    #[kani::unwind(12)]
+    [is_ear, corner, turn]
+    fn ears_hold_no_vertex(places: [i32; 8] = [0; 8]..=[3; 8]) {
+        let [ax, ay, bx, by, cx, cy, dx, dy] = places;
+        let (a, b, c, d) = ([ax, ay], [bx, by], [cx, cy], [dx, dy]);
+        let Some(polygon) = polygon::<Small, 4>([a, b, c, d]) else { return };
+        let turns = area([a, b, c]) > 0;
+        let holds = area([a, b, d]) > 0 && area([b, c, d]) > 0 && area([c, a, d]) > 0;
+        assert!(is_ear(&polygon, 1, Ordering::Greater) == (turns && !holds));
+        cover!(turns && holds);
+    }
+
+    /// The winding of a quadrangle is the way that most of its corners turn, three at least: two and two
+    /// where it crosses itself.
+    #[kani::unwind(12)]
+    [winding, corner, turn]
+    fn winding_is_that_of_most_corners(places: [i32; 8] = [0; 8]..=[3; 8]) {
+        let [ax, ay, bx, by, cx, cy, dx, dy] = places;
+        let (a, b, c, d) = ([ax, ay], [bx, by], [cx, cy], [dx, dy]);
+        let Some(polygon) = polygon::<Small, 4>([a, b, c, d]) else { return };
+        let turns = [area([d, a, b]), area([a, b, c]), area([b, c, d]), area([c, d, a])];
+        assume!(turns.iter().all(|&turn| turn != 0));
+        let clockwise = turns.iter().filter(|&&turn| turn > 0).count();
+        let found = winding(&polygon);
+        assert!(clockwise < 3 || found == Ordering::Greater);
+        assert!(clockwise > 1 || found == Ordering::Less);
+        cover!(clockwise == 3);
+        cover!(clockwise == 0);
+    }
+
+    /// Of a quadrangle no flat corner is left.
+    #[kani::unwind(12)]
+    [remove_flat, corner, turn]
+    fn flat_corners_are_removed(places: [i32; 8] = [0; 8]..=[1; 8]) {
+        let [ax, ay, bx, by, cx, cy, dx, dy] = places;
+        let Some(mut polygon) = polygon::<Small, 4>([[ax, ay], [bx, by], [cx, cy], [dx, dy]]) else { return };
+        remove_flat(&mut polygon);
+        let left = polygon.vertices().len();
+        for at in 0..4 {
+            assert!(at >= left || turn(corner(&polygon, at)) != Ordering::Equal);
+        }
+        cover!(left == 3);
+        cover!(left == 0);
+    }
+}
