@@ -53,6 +53,11 @@
 
 #![no_std]
 #![forbid(unsafe_code)]
+// Proofs write definitions out.
+#![cfg_attr(
+    any(kani, test),
+    allow(clippy::manual_range_contains, clippy::manual_div_ceil, clippy::manual_is_multiple_of)
+)]
 
 pub mod attachments;
 pub mod draw;

@@ -8,7 +8,7 @@ use crate::{
     attachments::{Count, Coverage, NO_ID, OutsideAttachment},
     geometry::{Assembly, Cull, Culled, Region, Vertex, Winding},
     numbers::{Bounds, Format, Small, Standard},
-    proof::{assume, cover, prove},
+    proof::{cover, prove},
 };
 
 const ASSEMBLIES: [Assembly; 5] =
@@ -46,7 +46,7 @@ fn growth(after: [u32; 9], before: [u32; 9]) -> [u32; 9] {
 /// What the checks say of the first `count` indices: the first fault, or all triangles.
 fn names_the_first_fault<I: Index + PartialEq>(indices: [I; 7], count: usize, vertices: usize) {
     let indices = &indices[..count];
-    let valid = |index: &I| (index.to_u32() as u64) < vertices as u64;
+    let valid = |index: &I| u64::from(index.to_u32()) < vertices as u64;
     match check_indices(indices, vertices) {
         Err(DrawError::IndexCount { count: told }) => assert!(told == count && count % 3 != 0),
         Err(DrawError::IndexOutOfRange { at, index, vertices: told }) => {
