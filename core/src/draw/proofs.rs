@@ -241,7 +241,7 @@ prove! {
     /// and what is counted as drawn has samples.
     #[kani::unwind(18)]
     [draw, draw_with, draw_one]
-    fn slow_a_draw_accounts_for_its_triangles(corner: i32 = 0..=63, first_id: u32 = 0..=u32::MAX - 2) {
+    fn a_draw_accounts_for_its_triangles(corner: i32 = 0..=63, first_id: u32 = 0..=u32::MAX - 2) {
         let vertex = |x, y| Vertex::<Small>::new(x, y, 0);
         let (Ok(a), Ok(b), Ok(c)) = (vertex(3, 2), vertex(2 * corner - 40, 40), vertex(20, 60)) else { return };
         let Ok(region) = Region::of_size(4, 4) else { return };
