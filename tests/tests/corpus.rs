@@ -1,12 +1,18 @@
 //! The fuzzer's targets without a fuzzer: its seeds, replayed, and random bytes.
+//!
+//! `HALFPLANE_CORPUS` names another folder to replay, a campaign's, for instance to measure its coverage.
 
 use halfplane_tests::{failure::Verdict, fuzzing::TARGETS, run::check, sizes};
 use proptest::{collection::vec, prelude::*};
-use std::{fs, path::Path};
+use std::{
+    env, fs,
+    path::{Path, PathBuf},
+};
 
 #[test]
 fn seeds_hold() {
     let seeds = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz/seeds");
+    let seeds = env::var_os("HALFPLANE_CORPUS").map_or(seeds, PathBuf::from);
     for (name, target) in TARGETS {
         let folder = seeds.join(name);
         let mut replayed = 0;

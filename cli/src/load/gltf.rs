@@ -8,8 +8,9 @@ use std::path::Path;
 use glam::{DMat4, DVec3};
 use gltf::accessor::{Accessor, DataType, Dimensions};
 use gltf::buffer::{Data, View};
+use gltf::json::Root;
 use gltf::mesh::{Mode, Primitive};
-use gltf::{Gltf, Node, Semantic};
+use gltf::{Document, Gltf, Node, Semantic};
 
 use crate::mesh::Mesh;
 
@@ -22,7 +23,10 @@ pub(super) fn parse(bytes: &[u8], folder: Option<&Path>) -> Result<Mesh, Problem
         expected: one_line(error),
     };
     check_length(bytes)?;
-    let Gltf { document, blob } = Gltf::from_slice(bytes).map_err(malformed)?;
+    let Gltf { document, blob } = Gltf::from_slice_without_validation(bytes).map_err(malformed)?;
+    let root = document.into_json();
+    check_attributes(&root)?;
+    let document = Document::from_json(root).map_err(malformed)?;
     let buffers = gltf::import_buffers(&document, folder, blob).map_err(malformed)?;
     let mut reader = Reader {
         buffers,
@@ -50,6 +54,25 @@ fn check_length(bytes: &[u8]) -> Result<(), Problem> {
         }),
         _ => Ok(()),
     }
+}
+
+/// Attributes name accessors that exist; the crate's validation takes that for granted.
+fn check_attributes(root: &Root) -> Result<(), Problem> {
+    for (mesh, primitives) in root.meshes.iter().map(|mesh| &mesh.primitives).enumerate() {
+        for (primitive, attributes) in primitives.iter().map(|primitive| &primitive.attributes).enumerate() {
+            if let Some(at) = attributes.values().find(|at| at.value() >= root.accessors.len()) {
+                return Err(Problem::Malformed {
+                    at: format!("mesh {mesh} primitive {primitive}"),
+                    expected: format!(
+                        "accessor {} is not there, the file has {}",
+                        at.value(),
+                        root.accessors.len()
+                    ),
+                });
+            }
+        }
+    }
+    Ok(())
 }
 
 struct Reader {
@@ -263,6 +286,14 @@ mod tests {
             let file = [b"glTF\x02\0\0\0".as_slice(), &[length, 0, 0, 0]].concat();
             assert!(matches!(parse(&file, None), Err(Problem::Malformed { .. })), "{length}");
         }
+    }
+
+    #[test]
+    fn an_attribute_without_its_accessor_is_an_error() {
+        let file =
+            br#"{"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]}"#;
+        let Err(Problem::Malformed { at, .. }) = parse(file, None) else { panic!("not refused") };
+        assert_eq!(at, "mesh 0 primitive 0");
     }
 
     #[test]
