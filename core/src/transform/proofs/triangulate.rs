@@ -6,13 +6,13 @@ use crate::{
     proof::{assume, cover, prove},
     transform::{
         clip::Polygon,
-        triangulate::{corner, is_ear, remove_flat, triangulate, turn, winding},
+        triangulate::{corner, is_ear, remove_flat, turn, winding},
     },
 };
 use core::cmp::Ordering;
 
 /// A polygon with vertices at these places; the depth is the number of the vertex, from 2 on.
-fn polygon<F: Format, const N: usize>(places: [[i32; 2]; N]) -> Option<Polygon<Vertex<F>>> {
+pub(super) fn polygon<F: Format, const N: usize>(places: [[i32; 2]; N]) -> Option<Polygon<Vertex<F>>> {
     let mut polygon = Polygon::empty(Vertex::new(0, 0, 0).ok()?);
     for (number, [x, y]) in (2..).zip(places) {
         polygon.push(Vertex::new(x, y, number).ok()?);
@@ -21,31 +21,13 @@ fn polygon<F: Format, const N: usize>(places: [[i32; 2]; N]) -> Option<Polygon<V
 }
 
 /// Twice the area of a polygon.
-fn area<const N: usize>(places: [[i32; 2]; N]) -> i64 {
+pub(super) fn area<const N: usize>(places: [[i32; 2]; N]) -> i64 {
     let mut area = 0;
     for at in 0..N {
         let ([x0, y0], [x1, y1]) = (places[at].map(i64::from), places[(at + 1) % N].map(i64::from));
         area += x0 * y1 - x1 * y0;
     }
     area
-}
-
-/// Triangles of vertices that the polygon has, at most N - 2, their areas adding up to its own.
-fn is_cut_into_triangles<const N: usize>(places: [[i32; 2]; N]) {
-    let Some(polygon) = polygon::<Small, N>(places) else { return };
-    let (mut count, mut sum, mut known) = (0, 0, true);
-    triangulate(polygon, |triangle| {
-        count += 1;
-        sum += area(triangle.map(|v| [v.x(), v.y()]));
-        for v in triangle {
-            known &= places.get((v.z() - 2) as usize) == Some(&[v.x(), v.y()]);
-        }
-    });
-    assert!(count <= N - 2);
-    assert!(sum == area(places));
-    assert!(known);
-    cover!(count == N - 2);
-    cover!(count == 0);
 }
 
 /// The sign of the area, by the definition.
@@ -88,22 +70,6 @@ prove! {
     [turn, doubled_area, i32::product]
     fn small_turn_is_the_sign_of_the_area(places: [i32; 6] = [-SMALL; 6]..=[SMALL; 6]) {
         turns::<Small>(places);
-    }
-
-    /// A triangle is emitted as it is, one without area is not.
-    #[kani::unwind(12)]
-    [triangulate, remove_flat, winding, is_ear, corner, turn]
-    fn triangles_stay(places: [i32; 6] = [-2; 6]..=[2; 6]) {
-        let [ax, ay, bx, by, cx, cy] = places;
-        is_cut_into_triangles([[ax, ay], [bx, by], [cx, cy]]);
-    }
-
-    /// A quadrangle is cut into two triangles at most.
-    #[kani::unwind(12)]
-    [triangulate, remove_flat, winding, is_ear, corner, turn]
-    fn slow_quadrangles_are_cut(places: [i32; 8] = [0; 8]..=[2; 8]) {
-        let [ax, ay, bx, by, cx, cy, dx, dy] = places;
-        is_cut_into_triangles([[ax, ay], [bx, by], [cx, cy], [dx, dy]]);
     }
 
     /// The corner of a quadrangle is an ear where it turns with it and does not hold the fourth vertex.
