@@ -18,7 +18,7 @@ fn splat(value: f64) -> f64x8<Vectors> {
 /// The gradient is the nearest to 2^32 N / D, ties upwards: 2^33 N + D - 2 D q is in [0, 2 D). Of numerators below
 /// 2^29, so that 64 bits hold it.
 #[inline(always)]
-fn gradient_is_nearest(numerator: i64, area: i32) {
+pub(super) fn gradient_is_nearest(numerator: i64, area: i32) {
     let divisor = f64::from(area);
     let word = longs(gradient(simd(), splat(numerator as f64), splat(divisor), splat(1.0 / divisor)))[0];
     let area = i64::from(area);
@@ -28,18 +28,6 @@ fn gradient_is_nearest(numerator: i64, area: i32) {
 }
 
 prove! {
-    /// The gradient for areas of 2^k: the quotient's digits come out exact.
-    [gradient, half]
-    fn gradients_by_a_power_of_two(numerator: i64 = -(1 << 28)..=1 << 28) {
-        gradient_is_nearest(numerator, 1 << 12);
-    }
-
-    /// The gradient for an area of 3.
-    [gradient]
-    fn slow_gradients_by_3(numerator: i64 = -(1 << 20)..=1 << 20) {
-        gradient_is_nearest(numerator, 3);
-    }
-
     /// Small numerators and areas.
     [gradient]
     fn slow_gradients_of_small_areas(numerator: i64 = -15..=15, area: i32 = 1..=7) {

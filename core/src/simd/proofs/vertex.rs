@@ -17,7 +17,8 @@ prove! {
     [snap, Coordinate::snap]
     fn snapping_is_the_scalar_one(bits: u32) {
         let pixels = f32::from_bits(bits);
-        assume!(pixels.abs() <= 32768.0);
+        let in_the_band = pixels.abs() <= 32768.0;
+        assume!(in_the_band);
         let steps = ints(snap(simd(), Floats::splat(simd(), pixels)))[LANES[1]];
         assert!(Coordinate::<Standard>::snap(pixels).is_some_and(|c| c.steps() == steps));
         cover!(steps == Bounds::<Standard>::GUARD_BAND);

@@ -3,12 +3,17 @@
 use super::{
     cut::{cuts, keeps_sign_of_w},
     triangulate::{area, polygon},
+    viewport::{stays_in_the_columns, stays_in_the_rows},
 };
 use crate::{
-    numbers::Small,
+    numbers::{Format, Small, Standard},
     proof::{assume, cover, prove},
-    transform::{plane::Plane, triangulate::triangulate},
+    transform::{
+        plane::Plane,
+        triangulate::{corner, remove_flat, triangulate, turn, winding},
+    },
 };
+use core::cmp::Ordering;
 
 /// What a vertex inside and one outside are, and x of both.
 fn near(z: [u32; 2], x: [f32; 2]) -> Option<f32> {
@@ -89,5 +94,49 @@ prove! {
     fn quadrangles_are_cut(places: [i32; 8] = [-16; 8]..=[16; 8]) {
         let [ax, ay, bx, by, cx, cy, dx, dy] = places;
         is_cut_into_triangles([[ax, ay], [bx, by], [cx, cy], [dx, dy]]);
+    }
+
+    /// The winding of a quadrangle is the way that most of its corners turn, three at least: two and two
+    /// where it crosses itself.
+    []
+    fn winding_is_that_of_most_corners(places: [i32; 8] = [0; 8]..=[3; 8]) {
+        let [ax, ay, bx, by, cx, cy, dx, dy] = places;
+        let (a, b, c, d) = ([ax, ay], [bx, by], [cx, cy], [dx, dy]);
+        let Some(polygon) = polygon::<Small, 4>([a, b, c, d]) else { return };
+        let turns = [area([d, a, b]), area([a, b, c]), area([b, c, d]), area([c, d, a])];
+        assume!(turns.iter().all(|&turn| turn != 0));
+        let clockwise = turns.iter().filter(|&&turn| turn > 0).count();
+        let found = winding(&polygon);
+        assert!(clockwise < 3 || found == Ordering::Greater);
+        assert!(clockwise > 1 || found == Ordering::Less);
+        cover!(clockwise == 3);
+        cover!(clockwise == 0);
+    }
+
+    /// Of a quadrangle no flat corner is left.
+    []
+    fn flat_corners_are_removed(places: [i32; 8] = [0; 8]..=[1; 8]) {
+        let [ax, ay, bx, by, cx, cy, dx, dy] = places;
+        let Some(mut polygon) = polygon::<Small, 4>([[ax, ay], [bx, by], [cx, cy], [dx, dy]]) else { return };
+        remove_flat(&mut polygon);
+        let left = polygon.vertices().len();
+        for at in 0..4 {
+            assert!(at >= left || turn(corner(&polygon, at)) != Ordering::Equal);
+        }
+        cover!(left == 3);
+        cover!(left == 0);
+    }
+
+    /// What the frustum has lies in the viewport's columns, ends included, where w is 1. In the standard
+    /// format.
+    []
+    fn frustum_projects_into_the_columns(x: u32, columns: [u32; 2] = [0; 2]..=[Standard::MAX_TARGET; 2]) {
+        stays_in_the_columns::<Standard>(x, columns);
+    }
+
+    /// The same for the rows.
+    []
+    fn frustum_projects_into_the_rows(y: u32, rows: [u32; 2] = [0; 2]..=[Standard::MAX_TARGET; 2]) {
+        stays_in_the_rows::<Standard>(y, rows);
     }
 }

@@ -3,10 +3,10 @@
 use crate::{
     geometry::Vertex,
     numbers::{Bounds, Format, Small, Standard},
-    proof::{assume, cover, prove},
+    proof::{cover, prove},
     transform::{
         clip::Polygon,
-        triangulate::{corner, is_ear, remove_flat, turn, winding},
+        triangulate::{corner, is_ear, turn},
     },
 };
 use core::cmp::Ordering;
@@ -83,38 +83,5 @@ prove! {
         let holds = area([a, b, d]) > 0 && area([b, c, d]) > 0 && area([c, a, d]) > 0;
         assert!(is_ear(&polygon, 1, Ordering::Greater) == (turns && !holds));
         cover!(turns && holds);
-    }
-
-    /// The winding of a quadrangle is the way that most of its corners turn, three at least: two and two
-    /// where it crosses itself.
-    #[kani::unwind(12)]
-    [winding, corner, turn]
-    fn winding_is_that_of_most_corners(places: [i32; 8] = [0; 8]..=[3; 8]) {
-        let [ax, ay, bx, by, cx, cy, dx, dy] = places;
-        let (a, b, c, d) = ([ax, ay], [bx, by], [cx, cy], [dx, dy]);
-        let Some(polygon) = polygon::<Small, 4>([a, b, c, d]) else { return };
-        let turns = [area([d, a, b]), area([a, b, c]), area([b, c, d]), area([c, d, a])];
-        assume!(turns.iter().all(|&turn| turn != 0));
-        let clockwise = turns.iter().filter(|&&turn| turn > 0).count();
-        let found = winding(&polygon);
-        assert!(clockwise < 3 || found == Ordering::Greater);
-        assert!(clockwise > 1 || found == Ordering::Less);
-        cover!(clockwise == 3);
-        cover!(clockwise == 0);
-    }
-
-    /// Of a quadrangle no flat corner is left.
-    #[kani::unwind(12)]
-    [remove_flat, corner, turn]
-    fn flat_corners_are_removed(places: [i32; 8] = [0; 8]..=[1; 8]) {
-        let [ax, ay, bx, by, cx, cy, dx, dy] = places;
-        let Some(mut polygon) = polygon::<Small, 4>([[ax, ay], [bx, by], [cx, cy], [dx, dy]]) else { return };
-        remove_flat(&mut polygon);
-        let left = polygon.vertices().len();
-        for at in 0..4 {
-            assert!(at >= left || turn(corner(&polygon, at)) != Ordering::Equal);
-        }
-        cover!(left == 3);
-        cover!(left == 0);
     }
 }
