@@ -12,6 +12,8 @@ mod ops;
 mod queue;
 mod rows;
 mod setup;
+#[cfg(test)]
+mod tested;
 mod verdict;
 mod vertex;
 mod windows;

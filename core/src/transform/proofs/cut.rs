@@ -1,12 +1,12 @@
 //! Where planes cut edges.
 
 use crate::{
-    proof::{assume, cover, prove},
+    proof::{cover, prove},
     transform::plane::Plane,
 };
 
 /// The ends of an edge and the cut, where a plane cuts it and all is finite.
-fn cuts(plane: Plane, inside: [u32; 4], outside: [u32; 4]) -> Option<[[f32; 4]; 3]> {
+pub(super) fn cuts(plane: Plane, inside: [u32; 4], outside: [u32; 4]) -> Option<[[f32; 4]; 3]> {
     let (a, b) = (inside.map(f32::from_bits), outside.map(f32::from_bits));
     let [finite_a, finite_b] =
         [a, b].map(|[x, y, z, w]| x.is_finite() & y.is_finite() & z.is_finite() & w.is_finite());
@@ -25,16 +25,10 @@ fn keeps_sign(a: f32, b: f32, cut: f32) {
 }
 
 /// The cut at a plane of the guard band, of which the other component is set.
-fn keeps_sign_of_w(plane: Plane, [v0, w0]: [u32; 2], [v1, w1]: [u32; 2]) {
+pub(super) fn keeps_sign_of_w(plane: Plane, [v0, w0]: [u32; 2], [v1, w1]: [u32; 2]) {
     if let Some([[.., a], [.., b], [.., cut]]) = cuts(plane, [v0, 0, 0, w0], [v1, 0, 0, w1]) {
         keeps_sign(a, b, cut);
     }
-}
-
-/// What a vertex inside and one outside are, and x of both.
-fn near(z: [u32; 2], x: [f32; 2]) -> Option<f32> {
-    let [x0, x1] = x.map(f32::to_bits);
-    cuts(Plane::Near, [x0, 0, z[0], 0], [x1, 0, z[1], 0]).map(|[_, _, [x, ..]]| x)
 }
 
 prove! {
@@ -74,47 +68,5 @@ prove! {
     [Plane::cut, Plane::distance]
     fn slow_left_cut_keeps_signs(inside: [u32; 2], outside: [u32; 2]) {
         keeps_sign_of_w(Plane::Left(-32.0), inside, outside);
-    }
-
-    /// The same to the right.
-    [Plane::cut, Plane::distance]
-    fn slow_right_cut_keeps_signs(inside: [u32; 2], outside: [u32; 2]) {
-        keeps_sign_of_w(Plane::Right(32.0), inside, outside);
-    }
-
-    /// The cut is finite: at the largest components. Products, sums and quotients grow with the magnitudes of
-    /// the components, so no smaller ones make a larger cut.
-    [Plane::cut, Plane::distance]
-    fn slow_cut_of_the_largest_is_finite(z: [u32; 2]) {
-        if let Some(cut) = near(z, [f32::MAX; 2]) {
-            assert!(cut.is_finite());
-            cover!(cut == f32::MAX);
-        }
-    }
-
-    /// The cut lies between the ends: at a quarter of the edge, for all finite components.
-    [Plane::cut, Plane::distance]
-    fn cut_is_between_the_ends(x: [u32; 2]) {
-        let [a, b] = x.map(f32::from_bits);
-        assume!(a.is_finite() && b.is_finite());
-        let [inside, outside] = [1.0_f32, -3.0].map(f32::to_bits);
-        let Some(cut) = near([inside, outside], [a, b]) else { unreachable!("it crosses the plane") };
-        assert!(a.min(b) <= cut && cut <= a.max(b));
-        cover!(a < cut && cut < b);
-    }
-
-    /// Weights are not negative: an inner end that the exact distance puts outside, as k w was rounded, is the
-    /// cut itself.
-    [Plane::cut, Plane::distance]
-    fn rounded_end_is_the_cut(y: u32) {
-        let y = f32::from_bits(y);
-        assume!(y.is_finite());
-        let w = 1.0 + 2500.0 * f32::EPSILON;
-        let plane = Plane::Left(-w);
-        // -w w, rounded away from 0, is before the exact plane.
-        let (inner, outer) = ([-w * w, y, 0.0, w], [-2.0 * w, 0.0, 0.0, w]);
-        assert!(!plane.excludes(inner) && plane.excludes(outer));
-        assert!(plane.cut(inner, outer) == inner);
-        cover!(y == 3.0);
     }
 }

@@ -3,5 +3,7 @@
 mod clip;
 mod cut;
 mod plane;
+#[cfg(test)]
+mod tested;
 mod triangulate;
 mod viewport;

@@ -3,16 +3,16 @@
 use crate::{
     geometry::Vertex,
     numbers::{Bounds, Format, Small, Standard},
-    proof::{assume, cover, prove},
+    proof::{cover, prove},
     transform::{
         clip::Polygon,
-        triangulate::{corner, is_ear, remove_flat, triangulate, turn, winding},
+        triangulate::{corner, is_ear, turn},
     },
 };
 use core::cmp::Ordering;
 
 /// A polygon with vertices at these places; the depth is the number of the vertex, from 2 on.
-fn polygon<F: Format, const N: usize>(places: [[i32; 2]; N]) -> Option<Polygon<Vertex<F>>> {
+pub(super) fn polygon<F: Format, const N: usize>(places: [[i32; 2]; N]) -> Option<Polygon<Vertex<F>>> {
     let mut polygon = Polygon::empty(Vertex::new(0, 0, 0).ok()?);
     for (number, [x, y]) in (2..).zip(places) {
         polygon.push(Vertex::new(x, y, number).ok()?);
@@ -21,31 +21,13 @@ fn polygon<F: Format, const N: usize>(places: [[i32; 2]; N]) -> Option<Polygon<V
 }
 
 /// Twice the area of a polygon.
-fn area<const N: usize>(places: [[i32; 2]; N]) -> i64 {
+pub(super) fn area<const N: usize>(places: [[i32; 2]; N]) -> i64 {
     let mut area = 0;
     for at in 0..N {
         let ([x0, y0], [x1, y1]) = (places[at].map(i64::from), places[(at + 1) % N].map(i64::from));
         area += x0 * y1 - x1 * y0;
     }
     area
-}
-
-/// Triangles of vertices that the polygon has, at most N - 2, their areas adding up to its own.
-fn is_cut_into_triangles<const N: usize>(places: [[i32; 2]; N]) {
-    let Some(polygon) = polygon::<Small, N>(places) else { return };
-    let (mut count, mut sum, mut known) = (0, 0, true);
-    triangulate(polygon, |triangle| {
-        count += 1;
-        sum += area(triangle.map(|v| [v.x(), v.y()]));
-        for v in triangle {
-            known &= places.get((v.z() - 2) as usize) == Some(&[v.x(), v.y()]);
-        }
-    });
-    assert!(count <= N - 2);
-    assert!(sum == area(places));
-    assert!(known);
-    cover!(count == N - 2);
-    cover!(count == 0);
 }
 
 /// The sign of the area, by the definition.
@@ -90,22 +72,6 @@ prove! {
         turns::<Small>(places);
     }
 
-    /// A triangle is emitted as it is, one without area is not.
-    #[kani::unwind(12)]
-    [triangulate, remove_flat, winding, is_ear, corner, turn]
-    fn triangles_stay(places: [i32; 6] = [-2; 6]..=[2; 6]) {
-        let [ax, ay, bx, by, cx, cy] = places;
-        is_cut_into_triangles([[ax, ay], [bx, by], [cx, cy]]);
-    }
-
-    /// A quadrangle is cut into two triangles at most.
-    #[kani::unwind(12)]
-    [triangulate, remove_flat, winding, is_ear, corner, turn]
-    fn slow_quadrangles_are_cut(places: [i32; 8] = [0; 8]..=[2; 8]) {
-        let [ax, ay, bx, by, cx, cy, dx, dy] = places;
-        is_cut_into_triangles([[ax, ay], [bx, by], [cx, cy], [dx, dy]]);
-    }
-
     /// The corner of a quadrangle is an ear where it turns with it and does not hold the fourth vertex.
     #[kani::unwind(12)]
     [is_ear, corner, turn]
@@ -117,38 +83,5 @@ prove! {
         let holds = area([a, b, d]) > 0 && area([b, c, d]) > 0 && area([c, a, d]) > 0;
         assert!(is_ear(&polygon, 1, Ordering::Greater) == (turns && !holds));
         cover!(turns && holds);
-    }
-
-    /// The winding of a quadrangle is the way that most of its corners turn, three at least: two and two
-    /// where it crosses itself.
-    #[kani::unwind(12)]
-    [winding, corner, turn]
-    fn winding_is_that_of_most_corners(places: [i32; 8] = [0; 8]..=[3; 8]) {
-        let [ax, ay, bx, by, cx, cy, dx, dy] = places;
-        let (a, b, c, d) = ([ax, ay], [bx, by], [cx, cy], [dx, dy]);
-        let Some(polygon) = polygon::<Small, 4>([a, b, c, d]) else { return };
-        let turns = [area([d, a, b]), area([a, b, c]), area([b, c, d]), area([c, d, a])];
-        assume!(turns.iter().all(|&turn| turn != 0));
-        let clockwise = turns.iter().filter(|&&turn| turn > 0).count();
-        let found = winding(&polygon);
-        assert!(clockwise < 3 || found == Ordering::Greater);
-        assert!(clockwise > 1 || found == Ordering::Less);
-        cover!(clockwise == 3);
-        cover!(clockwise == 0);
-    }
-
-    /// Of a quadrangle no flat corner is left.
-    #[kani::unwind(12)]
-    [remove_flat, corner, turn]
-    fn flat_corners_are_removed(places: [i32; 8] = [0; 8]..=[1; 8]) {
-        let [ax, ay, bx, by, cx, cy, dx, dy] = places;
-        let Some(mut polygon) = polygon::<Small, 4>([[ax, ay], [bx, by], [cx, cy], [dx, dy]]) else { return };
-        remove_flat(&mut polygon);
-        let left = polygon.vertices().len();
-        for at in 0..4 {
-            assert!(at >= left || turn(corner(&polygon, at)) != Ordering::Equal);
-        }
-        cover!(left == 3);
-        cover!(left == 0);
     }
 }

@@ -1,0 +1,37 @@
+//! Properties that no prover finished: for tests alone.
+
+use super::{super::meshlet::Builder, setup::gradient_is_nearest};
+use crate::proof::{cover, prove};
+
+prove! {
+    /// The gradient for areas of 2^k: the quotient's digits come out exact.
+    []
+    fn gradients_by_a_power_of_two(numerator: i64 = -(1 << 28)..=1 << 28) {
+        gradient_is_nearest(numerator, 1 << 12);
+    }
+
+    /// The gradient for an area of 3.
+    []
+    fn gradients_by_3(numerator: i64 = -(1 << 20)..=1 << 20) {
+        gradient_is_nearest(numerator, 3);
+    }
+
+    /// A triangle is added with new vertices at the end, its corners naming them.
+    []
+    fn triangles_find_their_vertices(first: [u32; 3] = [0; 3]..=[3; 3], second: [u32; 3] = [0; 3]..=[3; 3], corner: usize = 0..=2) {
+        let positions = [0.0, 1.0, 2.0, 3.0].map(|x| [x, 0.0, 0.0]);
+        let mut builder = Builder::new(7);
+        let added = [builder.add(first, &positions), builder.add(second, &positions)];
+        assert!(added == [true; 2]);
+        let meshlet = &builder.meshlet;
+        assert!(meshlet.corners().len() == 2 && meshlet.first() == 7);
+        for (triangle, at) in [first, second].into_iter().zip(0..2) {
+            let place = usize::from(meshlet.corners()[at][corner]);
+            assert!(meshlet.position(place) == Some(positions[triangle[corner] as usize]));
+        }
+        let distinct = (0..4).filter(|v| first.contains(v) || second.contains(v)).count();
+        assert!(meshlet.vertices() == distinct);
+        cover!(distinct == 4);
+        cover!(distinct == 1);
+    }
+}
