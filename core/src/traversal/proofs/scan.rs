@@ -105,7 +105,7 @@ prove! {
     /// where these fit, as in the rectangle they do; a dropped edge is positive at all of them, whatever
     /// its steps.
     #[kani::unwind(17)]
-    [Edge::corner, Edge::samples, Step::DROPPED]
+    [Edge::corner, Edge::samples]
     fn a_blocks_samples_are_exact(
         value: i32 = -VALUE..=VALUE,
         a: i32 = -DELTA..=DELTA,
