@@ -1,40 +1,56 @@
 //! Proofs of the depth test.
 
+use super::one_lane::OneLane;
 use crate::{
     attachments::{Attachment, Block, Compare, D16, D32, Depth, DepthFormat, DepthTest},
     geometry::{Plane, Region, Sample, Triangle, Vertex},
     lanes::{ArrayLanes, Lanes},
-    numbers::{DEPTH16_MAX, DEPTH16_MIN, DEPTH32_MAX, DEPTH32_MIN, Format, Small, Standard, Word},
+    numbers::{DEPTH16_MAX, DEPTH16_MIN, Format, Small, Standard, Word},
     proof::{cover, prove},
     traversal::Mask,
 };
 
-/// A triangle at one depth, given as unorm32: its plane has that base everywhere.
-fn level<F: Format>(depth: u32) -> Triangle<F> {
-    let vertex = |x, y| Vertex::<F>::new(x, y, depth).ok();
+/// The depth of [`level`], as unorm32.
+const BASE: u32 = 0x9ABC_DEF0;
+
+/// A triangle at one depth: its plane has that base everywhere.
+fn level<F: Format>() -> Triangle<F> {
+    let vertex = |x, y| Vertex::<F>::new(x, y, BASE).ok();
     let vertices = vertex(0, 0).zip(vertex(1, 0)).zip(vertex(0, 1));
     let triangle = vertices.and_then(|((a, b), c)| Triangle::new([a, b, c], Sample::CENTER));
     triangle.unwrap_or_else(|| unreachable!("it has an area"))
 }
 
-/// One block through the test, against the definition for one lane. `base` is the plane at the block, the
-/// offsets are what `Plane::offsets` would have given: any.
-fn tests_one_lane<F: Format, D: DepthFormat<F>>(
+/// A texel through the test, in the lanes that stand for all, against the definition: its new depth, the stored
+/// one, and whether it is seen. The offset is what `Plane::offsets` would have given: any, and so is its sum
+/// with the plane's base modulo its range.
+fn tests_a_texel<F: Format, D: DepthFormat<F>>(
     test: DepthTest,
-    triangle: &Triangle<F>,
-    offsets: [u32; 16],
-    stored: [D::Texel; 16],
+    offset: u32,
+    stored: D::Texel,
     bits: u16,
-    lane: usize,
+) -> (u32, u32, bool) {
+    tests_one_lane::<F, D, 0>(test, offset, stored, bits);
+    tests_one_lane::<F, D, 6>(test, offset, stored, bits);
+    tests_one_lane::<F, D, 15>(test, offset, stored, bits)
+}
+
+fn tests_one_lane<F: Format, D: DepthFormat<F>, const LANE: usize>(
+    test: DepthTest,
+    offset: u32,
+    stored: D::Texel,
+    bits: u16,
 ) -> (u32, u32, bool) {
     let Ok(region) = Region::<F>::new(8, 4, 12, 8) else { unreachable!("it has pixels") };
-    let mut texels = stored;
+    let mut texels = [stored; 16];
+    let triangle = &level::<F>();
     let base = D::vertex(triangle.vertices()[0].z()) >> (F::Word::HALF_BITS - D::BITS);
     let Ok(mut depth) = Depth::<F, D>::new(region, &mut texels, test) else { unreachable!("it fits") };
-    depth.plane = Some((Plane::new(triangle, D::vertex), offsets));
-    let mask = depth.block(&Block { x: 8, y: 4, mask: Mask(bits), triangle, id: 0 });
-    let new = ((u64::from(base) + u64::from(offsets[lane])) % (1 << D::BITS)) as u32;
-    let old: u32 = stored[lane].into();
+    depth.plane = Some((Plane::new(triangle, D::vertex), [offset; 16]));
+    let block = Block { x: 8, y: 4, mask: Mask(bits), triangle, id: 0 };
+    let mask = depth.block_with::<OneLane<LANE>>((), &block);
+    let new = ((u64::from(base) + u64::from(offset)) % (1 << D::BITS)) as u32;
+    let old: u32 = stored.into();
     let passes = match test.compare {
         Compare::Less => new < old,
         Compare::LessEqual => new <= old,
@@ -42,9 +58,9 @@ fn tests_one_lane<F: Format, D: DepthFormat<F>>(
         Compare::GreaterEqual => new >= old,
         Compare::Always => true,
     };
-    let seen = passes && bits >> lane & 1 != 0;
-    assert!((mask.0 >> lane & 1 != 0) == seen);
-    let now: u32 = texels[lane].into();
+    let seen = passes && bits >> LANE & 1 != 0;
+    assert!(mask.0 == u16::from(seen) << LANE);
+    let now: u32 = texels[LANE].into();
     assert!(now == if seen && test.write { new } else { old });
     // No test lets the farther win, whichever way is farther.
     match test.compare {
@@ -62,15 +78,13 @@ prove! {
     [Depth::block_with, Compare::passes, D32::load, D32::store, D32::vertex]
     fn less_is_tested_and_stored(
         write: bool,
-        base: u32,
-        offsets: [u32; 16],
-        stored: [u32; 16],
+        offset: u32,
+        stored: u32,
         bits: u16,
-        lane: usize = 0..=15,
     ) {
         let test = DepthTest { compare: Compare::Less, write };
-        let (new, old, seen) = tests_one_lane::<Standard, D32>(test, &level(base), offsets, stored, bits, lane);
-        cover!(seen && new < offsets[lane]);
+        let (new, old, seen) = tests_a_texel::<Standard, D32>(test, offset, stored, bits);
+        cover!(seen && new < offset);
         cover!(new == old && bits == 0xFFFF);
     }
 
@@ -79,15 +93,13 @@ prove! {
     [Depth::block_with, Compare::passes, D32::load, D32::store, D32::vertex]
     fn less_equal_is_tested_and_stored(
         write: bool,
-        base: u32,
-        offsets: [u32; 16],
-        stored: [u32; 16],
+        offset: u32,
+        stored: u32,
         bits: u16,
-        lane: usize = 0..=15,
     ) {
         let test = DepthTest { compare: Compare::LessEqual, write };
-        let (new, old, seen) = tests_one_lane::<Standard, D32>(test, &level(base), offsets, stored, bits, lane);
-        cover!(seen && new < offsets[lane]);
+        let (new, old, seen) = tests_a_texel::<Standard, D32>(test, offset, stored, bits);
+        cover!(seen && new < offset);
         cover!(new == old && bits == 0xFFFF);
     }
 
@@ -96,15 +108,13 @@ prove! {
     [Depth::block_with, Compare::passes, D32::load, D32::store, D32::vertex]
     fn greater_is_tested_and_stored(
         write: bool,
-        base: u32,
-        offsets: [u32; 16],
-        stored: [u32; 16],
+        offset: u32,
+        stored: u32,
         bits: u16,
-        lane: usize = 0..=15,
     ) {
         let test = DepthTest { compare: Compare::Greater, write };
-        let (new, old, seen) = tests_one_lane::<Standard, D32>(test, &level(base), offsets, stored, bits, lane);
-        cover!(seen && new < offsets[lane]);
+        let (new, old, seen) = tests_a_texel::<Standard, D32>(test, offset, stored, bits);
+        cover!(seen && new < offset);
         cover!(new == old && bits == 0xFFFF);
     }
 
@@ -113,15 +123,13 @@ prove! {
     [Depth::block_with, Compare::passes, D32::load, D32::store, D32::vertex]
     fn greater_equal_is_tested_and_stored(
         write: bool,
-        base: u32,
-        offsets: [u32; 16],
-        stored: [u32; 16],
+        offset: u32,
+        stored: u32,
         bits: u16,
-        lane: usize = 0..=15,
     ) {
         let test = DepthTest { compare: Compare::GreaterEqual, write };
-        let (new, old, seen) = tests_one_lane::<Standard, D32>(test, &level(base), offsets, stored, bits, lane);
-        cover!(seen && new < offsets[lane]);
+        let (new, old, seen) = tests_a_texel::<Standard, D32>(test, offset, stored, bits);
+        cover!(seen && new < offset);
         cover!(new == old && bits == 0xFFFF);
     }
 
@@ -130,15 +138,13 @@ prove! {
     [Depth::block_with, Compare::passes, D32::load, D32::store, D32::vertex]
     fn always_is_tested_and_stored(
         write: bool,
-        base: u32,
-        offsets: [u32; 16],
-        stored: [u32; 16],
+        offset: u32,
+        stored: u32,
         bits: u16,
-        lane: usize = 0..=15,
     ) {
         let test = DepthTest { compare: Compare::Always, write };
-        let (new, _, seen) = tests_one_lane::<Standard, D32>(test, &level(base), offsets, stored, bits, lane);
-        cover!(seen && new < offsets[lane]);
+        let (new, _, seen) = tests_a_texel::<Standard, D32>(test, offset, stored, bits);
+        cover!(seen && new < offset);
         cover!(!seen);
     }
 
@@ -147,15 +153,13 @@ prove! {
     [Depth::block_with, Compare::passes, D16::load, D16::store, D16::vertex]
     fn less_of_16_bits_is_tested_and_stored(
         write: bool,
-        base: u32,
-        offsets: [u32; 16] = [0; 16]..=[0xFFFF; 16],
-        stored: [u16; 16],
+        offset: u32 = 0..=0xFFFF,
+        stored: u16,
         bits: u16,
-        lane: usize = 0..=15,
     ) {
         let test = DepthTest { compare: Compare::Less, write };
-        let (new, old, seen) = tests_one_lane::<Small, D16>(test, &level(base), offsets, stored, bits, lane);
-        cover!(seen && new < offsets[lane]);
+        let (new, old, seen) = tests_a_texel::<Small, D16>(test, offset, stored, bits);
+        cover!(seen && new < offset);
         cover!(new == old && bits == 0xFFFF);
     }
 
@@ -164,32 +168,29 @@ prove! {
     [Depth::block_with, Compare::passes, D16::load, D16::store, D16::vertex]
     fn greater_equal_of_16_bits_is_tested_and_stored(
         write: bool,
-        base: u32,
-        offsets: [u32; 16] = [0; 16]..=[0xFFFF; 16],
-        stored: [u16; 16],
+        offset: u32 = 0..=0xFFFF,
+        stored: u16,
         bits: u16,
-        lane: usize = 0..=15,
     ) {
         let test = DepthTest { compare: Compare::GreaterEqual, write };
-        let (new, old, seen) = tests_one_lane::<Small, D16>(test, &level(base), offsets, stored, bits, lane);
-        cover!(seen && new < offsets[lane]);
+        let (new, old, seen) = tests_a_texel::<Small, D16>(test, offset, stored, bits);
+        cover!(seen && new < offset);
         cover!(new == old && bits == 0xFFFF);
     }
 
     /// With `Less` the smaller depth remains of every two: farther ones never win.
     #[kani::unwind(17)]
     [Depth::block_with]
-    fn less_keeps_the_nearest(base: u32, offsets: [u32; 16], stored: [u32; 16], lane: usize = 0..=15) {
+    fn less_keeps_the_nearest(offset: u32, stored: u32) {
         let Ok(region) = Region::<Standard>::of_size(4, 4) else { unreachable!("it has pixels") };
-        let mut texels = stored;
+        let mut texels = [stored; 16];
         let Ok(mut depth) = Depth::<Standard>::new(region, &mut texels, DepthTest::LESS) else {
             unreachable!("it fits")
         };
-        let triangle = level(base);
-        depth.plane = Some((Plane::new(&triangle, |depth| depth), offsets));
-        depth.block(&Block { x: 0, y: 0, mask: Mask::FULL, triangle: &triangle, id: 0 });
-        let new = base.clamp(DEPTH32_MIN, DEPTH32_MAX).wrapping_add(offsets[lane]);
-        assert!(texels[lane] == stored[lane].min(new));
+        let triangle = level();
+        depth.plane = Some((Plane::new(&triangle, |depth| depth), [offset; 16]));
+        depth.block_with::<OneLane<9>>((), &Block { x: 0, y: 0, mask: Mask::FULL, triangle: &triangle, id: 0 });
+        assert!(texels[9] == stored.min(BASE.wrapping_add(offset)));
     }
 
     /// A vertex's depth of 16 bits is the nearest one, kept off both ends, with the planes' fraction.
@@ -226,7 +227,7 @@ prove! {
         let Ok(mut depth) = Depth::<Small, D16>::new(region, &mut texels, DepthTest::LESS) else {
             unreachable!("it fits")
         };
-        let triangle = level(1 << 20);
+        let triangle = level();
         if begun {
             depth.plane = Some((Plane::new(&triangle, <D16 as DepthFormat<Small>>::vertex), [0; 16]));
         }

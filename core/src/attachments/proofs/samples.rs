@@ -1,5 +1,6 @@
 //! Proofs of the attachments without depth, and of their combination.
 
+use super::one_lane::OneLane;
 use crate::{
     attachments::{Attachment, Block, Count, Coverage, Ids, StorageError},
     geometry::{Region, Sample, Triangle, Vertex},
@@ -31,26 +32,24 @@ impl Attachment<Small> for Only {
 }
 
 prove! {
-    /// Covered samples get the id, no other pixel changes, and blocks outside have no sample.
+    /// Covered samples get the id, no other pixel changes, and blocks outside have no sample. For one lane of
+    /// each block: the rest of the lanes do the same (`lanes::proofs`).
     #[kani::unwind(33)]
     [Ids::block_with]
-    fn covered_samples_get_the_id(
-        stored: [u32; 32],
-        id: u32,
-        bits: u16,
-        column: u32 = 0..=3,
-        at: usize = 0..=31,
-    ) {
-        let mut texels = stored;
+    fn covered_samples_get_the_id(first: u32, second: u32, id: u32, bits: u16, column: u32 = 0..=3) {
+        let mut texels = [second; 32];
+        texels[..16].fill(first);
         let x = 4 * column + 4;
         let Ok(mut ids) = Ids::new(region(), &mut texels) else { unreachable!("there are enough") };
         let triangle = triangle();
-        let seen = ids.block(&Block { x, y: 4, mask: Mask(bits), triangle: &triangle, id });
+        let block = Block { x, y: 4, mask: Mask(bits), triangle: &triangle, id };
+        let seen = ids.block_with::<OneLane<6>>((), &block);
         let in_region = x == 8 || x == 12;
         assert!(seen == if in_region { Mask(bits) } else { Mask::EMPTY });
-        let here = in_region && at / 16 == (x as usize - 4) / 4 - 1 && bits >> (at % 16) & 1 != 0;
-        assert!(texels[at] == if here { id } else { stored[at] });
-        cover!(here && at == 17);
+        let covered = bits >> 6 & 1 != 0;
+        assert!(texels[6] == if covered && x == 8 { id } else { first });
+        assert!(texels[22] == if covered && x == 12 { id } else { second });
+        cover!(covered && x == 12 && id != second);
     }
 
     /// Coverage collects the masks of each block, and each pixel has its bit.

@@ -5,7 +5,7 @@ use super::{
         setup::{Batch, Crossing},
         windows::{Rows, Windows, narrow, wide},
     },
-    Words, simd, words,
+    LANES, Words, simd, words,
 };
 use crate::proof::{assume, cover, prove};
 use fearless_simd::prelude::*;
@@ -61,13 +61,16 @@ prove! {
     /// Masks are found where they were put.
     #[kani::unwind(17)]
     [Windows::rows, Windows::small]
-    fn masks_belong_to_lanes(first: u32, second: u32, lane: usize = 0..=15) {
-        let mut windows = Windows::EMPTY;
-        windows.0[0][0][lane] = first;
-        windows.0[1][0][lane] = second;
-        assert!(windows.small(lane) == [first, second]);
-        let Some(row) = windows.rows(lane).nth(1) else { unreachable!("there are sixteen") };
-        assert!(row == [second, 0, 0, 0]);
+    fn masks_belong_to_lanes(first: u32, second: u32) {
+        for lane in LANES {
+            let mut windows = Windows::EMPTY;
+            windows.0[0][0][lane] = first;
+            windows.0[1][0][lane] = second;
+            assert!(windows.small(lane) == [first, second]);
+            let mut rows = windows.rows(lane);
+            assert!(rows.next() == Some([first, 0, 0, 0]));
+            assert!(rows.next() == Some([second, 0, 0, 0]));
+        }
     }
 
     /// The crossing of a left edge falls on the right side of every pixel: A = 1.

@@ -61,7 +61,7 @@ fn guard_band_is_around_the_frustum<F: Format>([x0, y0, x1, y1]: [u32; 4]) {
     );
     assert!((-far..=-1.0).contains(&left) && (1.0..=near).contains(&right));
     assert!((-near..=-1.0).contains(&bottom) && (1.0..=far).contains(&top));
-    cover!(right < 2.0 && top > 2.0);
+    cover!(2.0 * right < top);
     cover!(right > 3.0 * Bounds::<F>::CLIP_PIXELS as f32 / 2.0);
 }
 

@@ -176,23 +176,41 @@ prove! {
     }
 
     /// Of a rectangle that no edge cuts, the samples in the region, and no others; blocks without any are
-    /// not visited.
+    /// not visited. Two blocks side by side; a block's part of a region: `Mask::of_block`'s proofs.
     #[kani::unwind(17)]
-    [scan, Mask::of_block, Mask::and]
-    fn a_cut_rectangle_has_the_regions_samples(
-        ends: [u32; 4] = [0; 4]..=[32; 4],
-        column: u32 = 0..=7,
-        row: u32 = 0..=7,
-    ) {
-        let [x0, x1, y0, y1] = ends;
-        let Ok(region) = Region::new(x0, y0, x1, y1) else { return };
-        let (masks, visits, _) = masks_of::<2, 2>([Step::DROPPED; 3], [[0; 2]; 3], Some(region));
-        let (block_row, block_column) = (row as usize >> 2, column as usize >> 2);
-        let mask = masks[block_row][block_column];
-        let (x, y) = (LEFT + column, TOP + row);
-        let inside = x0 <= x && x < x1 && y0 <= y && y < y1;
-        assert!((mask >> (4 * (row & 3) + (column & 3)) & 1 != 0) == inside);
-        assert!(visits[block_row][block_column] == u8::from(mask != 0));
-        cover!(inside && mask == 1);
+    [scan]
+    fn a_cut_rectangle_has_the_regions_samples(columns: [u32; 2] = [0; 2]..=[20; 2], row: u32 = 0..=7) {
+        let [x0, x1] = columns;
+        let Ok(region) = Region::new(x0, row, x1, row + 1) else { return };
+        let ([[first, second]], [[once, again]], any) =
+            masks_of::<2, 1>([Step::DROPPED; 3], [[0; 2]; 3], Some(region));
+        for column in 0..4 {
+            let (bit, x) = (4 * (row & 3) + column, LEFT + column);
+            let inside = |x| row >= TOP && x0 <= x && x < x1;
+            assert!((first >> bit & 1 != 0) == inside(x) && (second >> bit & 1 != 0) == inside(x + 4));
+        }
+        let whole_row = 0xF << (4 * (row & 3));
+        assert!((first | second) & !whole_row == 0);
+        assert!(once == u8::from(first != 0) && again == u8::from(second != 0) && any == (first | second != 0));
+        cover!(first == 0x80 && second == 0x70);
+    }
+
+    /// The same for two blocks one above the other.
+    #[kani::unwind(17)]
+    [scan]
+    fn a_cut_column_has_the_regions_samples(rows: [u32; 2] = [0; 2]..=[20; 2], column: u32 = 4..=15) {
+        let [y0, y1] = rows;
+        let Ok(region) = Region::new(column, y0, column + 1, y1) else { return };
+        let ([[first], [second]], [[once], [again]], any) =
+            masks_of::<1, 2>([Step::DROPPED; 3], [[0; 2]; 3], Some(region));
+        for row in 0..4 {
+            let (bit, y) = (4 * row + (column & 3), TOP + row);
+            let inside = |y| LEFT <= column && column < LEFT + 4 && y0 <= y && y < y1;
+            assert!((first >> bit & 1 != 0) == inside(y) && (second >> bit & 1 != 0) == inside(y + 4));
+        }
+        let whole_column = 0x1111 << (column & 3);
+        assert!((first | second) & !whole_column == 0);
+        assert!(once == u8::from(first != 0) && again == u8::from(second != 0) && any == (first | second != 0));
+        cover!(first == 0x2000 && second == 0x22);
     }
 }
