@@ -1,7 +1,7 @@
 //! Meshlets in the making.
 
 use super::super::{
-    meshlet::{Meshlet, TRIANGLES, VERTICES, max_meshlets},
+    meshlet::{Builder, Meshlet, TRIANGLES, VERTICES, max_meshlets},
     window::MeshletScratch,
 };
 use crate::proof::{cover, prove};
@@ -55,5 +55,16 @@ prove! {
         let room = scratch.has_room();
         assert!(!room || (vertices + VERTICES <= 2048 && count + TRIANGLES <= 2048 && member < 255));
         cover!(room && vertices == 2048 - VERTICES);
+    }
+
+    /// A triangle's vertices are put in, in their order, and its corners name them.
+    #[kani::unwind(97)]
+    [Builder::new, Builder::add, Meshlet::corners, Meshlet::first]
+    fn triangles_name_their_vertices(first: u32) {
+        let mut builder = Builder::new(first);
+        assert!(builder.add([2, 0, 2], &[[1.0; 3], [2.0; 3], [3.0; 3]]));
+        assert!(builder.meshlet.first() == first && builder.meshlet.vertices() == 2);
+        assert!(builder.meshlet.corners() == [[0, 1, 0]]);
+        assert!(builder.meshlet.positions[1][0] == 3.0 && builder.meshlet.positions[1][1] == 1.0);
     }
 }

@@ -3,6 +3,7 @@
 
 mod blocks;
 mod bounds;
+mod crossings;
 mod depth;
 mod edges;
 mod fetch;
@@ -14,8 +15,10 @@ mod rows;
 mod setup;
 #[cfg(test)]
 mod tested;
+mod vector_lanes;
 mod verdict;
 mod vertex;
+mod window;
 mod windows;
 mod write;
 

@@ -1,8 +1,8 @@
 //! Depths and gradients of sixteen triangles.
 
 use super::{
-    super::setup::{gradient, gradients, half, unorm16},
-    LANES, Vectors, Words, longs, simd, words,
+    super::setup::{DepthSetup, gradient, gradients, half, unorm16},
+    LANES, Vectors, Words, doubles, longs, simd, words,
 };
 use crate::{
     numbers::{self, DEPTH16_MAX, DEPTH16_MIN},
@@ -32,6 +32,32 @@ prove! {
     [gradient]
     fn slow_gradients_of_small_areas(numerator: i64 = -15..=15, area: i32 = 1..=7) {
         gradient_is_nearest(numerator, area);
+    }
+
+    /// Each half of eight pairs.
+    [half]
+    fn halves_are_picked(low: u32, high: u32) {
+        for (k, value) in [low, high].into_iter().enumerate() {
+            let halves = half(k, [[splat(f64::from(low)), splat(f64::from(high))]; 8]);
+            assert!(halves.into_iter().all(|half| doubles(half)[3] == f64::from(value)));
+        }
+    }
+
+    /// Half a unit of the upper 32 or 16 bits.
+    [DepthSetup::half]
+    fn half_a_unit_rounds(word: u64) {
+        let word = word >> 1;
+        let (d32, d16) = (DepthSetup::D32.half(), DepthSetup::D16.half());
+        assert!((word + d32) >> 32 == (word >> 32) + (word >> 31 & 1));
+        assert!((word + d16) >> 48 == (word >> 48) + (word >> 47 & 1));
+    }
+
+    /// A level triangle has no gradient.
+    [gradients, gradient]
+    fn level_triangles_have_no_gradient(z: u32) {
+        let z = splat(f64::from(z));
+        let (x, y) = gradients(simd(), [z, z, z, splat(7.0), splat(-300.0), splat(-5.0), splat(2.0), splat(1486.0)]);
+        assert!(longs(x)[0] == 0 && longs(y)[0] == 0);
     }
 
     /// The scalar unorm16, within the vertices' range, in the upper half: for every depth.

@@ -18,7 +18,7 @@ prove! {
     /// Triangles with a vertex that has no place in the window: outside where the vertices' planes have one
     /// in common, else left to the scalar path. None of them is culled or drawn here.
     #[kani::unwind(18)]
-    [Culling::sixteen]
+    [Culling::new, Culling::sixteen, Extent::new]
     fn special_triangles_are_left(
         codes: [i32; 3] = [0; 3]..=[127; 3],
         special: [bool; 3],

@@ -1,14 +1,16 @@
 //! The vertex stage.
 
 use super::{
-    super::vertex::{PLANES, SPECIAL, Snapped, frustum_code, snap, snap_one, split, transpose3, unorm32},
+    super::vertex::{
+        PLANES, SPECIAL, Snapped, VertexLanes, frustum_code, snap, snap_one, split, transpose3, unorm32,
+    },
     Floats, LANES, floats, ints, simd, words,
 };
 use crate::{
     geometry::Region,
     numbers::{self, Bounds, Coordinate, DEPTH32_MAX, DEPTH32_MIN, Standard},
     proof::{assume, cover, prove},
-    transform::{Plane, Viewport},
+    transform::{ModelPositions, Plane, Viewport},
 };
 use fearless_simd::prelude::*;
 
@@ -62,6 +64,39 @@ prove! {
         cover!(x == 256 && y == 512);
     }
 
+    /// x, y and z of each position come to its lane.
+    #[kani::unwind(17)]
+    [transpose3, transpose4, load, join]
+    fn positions_are_transposed(bits: [[u32; 3]; 16]) {
+        let positions = bits.map(|bits| bits.map(f32::from_bits));
+        let [x, y, z] = transpose3(simd(), &positions).map(floats);
+        for (lane, bits) in bits.into_iter().enumerate() {
+            assert!([x[lane].to_bits(), y[lane].to_bits(), z[lane].to_bits()] == bits);
+        }
+    }
+
+    /// Depths are in the vertices' range, whatever the bits.
+    [unorm32]
+    fn depths_are_in_the_vertices_range(bits: u32) {
+        let depth = words(unorm32(simd(), Floats::splat(simd(), f32::from_bits(bits))))[LANES[1]];
+        assert!((DEPTH32_MIN..=DEPTH32_MAX).contains(&depth));
+    }
+
+    /// Vertices without a w have no place, whatever their coordinates.
+    #[kani::unwind(17)]
+    [VertexLanes::new, VertexLanes::sixteen]
+    fn vertices_without_w_have_no_place(bits: [u32; 3]) {
+        let Ok(region) = Region::of_size(64, 64) else { return };
+        let source = ModelPositions::new(&[], [[0.0; 4]; 4], Viewport::new(region));
+        let position = bits.map(|bits| Floats::splat(simd(), f32::from_bits(bits)));
+        let (mut places, mut depths) = ([[0; 2]; 16], [0; 16]);
+        VertexLanes::new(simd(), &source).sixteen(simd(), position, &mut places, &mut depths);
+        for lane in LANES {
+            assert!((places[lane][0] as i32) <= SPECIAL + PLANES);
+            assert!((DEPTH32_MIN..=DEPTH32_MAX).contains(&depths[lane]));
+        }
+    }
+
     /// Scratch memory is split into a place and a depth for each vertex.
     [split]
     fn records_are_split(count: usize = 0..=4) {
@@ -89,14 +124,6 @@ mod tested {
             assert!(words(unorm32(simd(), Floats::splat(simd(), depth)))[LANES[1]] == expected);
             cover!(expected == DEPTH32_MAX);
             cover!(expected == 3);
-        }
-
-        /// x, y and z of each position come to its lane.
-        []
-        fn positions_are_transposed(bits: [[u32; 3]; 16], lane: usize = 0..=15) {
-            let positions = bits.map(|bits| bits.map(f32::from_bits));
-            let [x, y, z] = transpose3(simd(), &positions).map(|axis| floats(axis)[lane].to_bits());
-            assert!([x, y, z] == bits[lane]);
         }
     }
 }

@@ -10,9 +10,9 @@ use super::{
 use crate::proof::{assume, cover, prove};
 use fearless_simd::prelude::*;
 
-/// The first row of sixteen triangles with one edge A x + F >= 0, a left one or a right one.
+/// Sixteen triangles with one edge A x + F >= 0, a left one or a right one, whose rows end at a column.
 #[inline(always)]
-fn first_row(value: i32, a: i32) -> u32 {
+fn one_edge(value: i32, a: i32, end: f32) -> Batch {
     let crossing = Crossing { value: value as f32 + 0.5, step: 0.0, factor: -1.0 / a as f32 };
     let far = |factor| Crossing { value: 1_000_000.0, step: 0.0, factor };
     let mut batch = Batch::EMPTY;
@@ -21,8 +21,14 @@ fn first_row(value: i32, a: i32) -> u32 {
         *to = Crossing { value: [from.value; 16], step: [from.step; 16], factor: [from.factor; 16] };
     }
     batch.crossings.third = [f32::NEG_INFINITY; 16];
-    batch.crossings.end = [30.0; 16];
-    words(Rows::new(simd(), &batch).next(simd()))[5]
+    batch.crossings.end = [end; 16];
+    batch
+}
+
+/// The first row of such a triangle.
+#[inline(always)]
+fn first_row(value: i32, a: i32) -> u32 {
+    words(Rows::new(simd(), &one_edge(value, a, 30.0)).next(simd()))[5]
 }
 
 #[inline(always)]
@@ -34,28 +40,34 @@ fn row_is_exact(value: i32, a: i32, x: u32) {
     cover!(!inside && x == 29);
 }
 
-/// A mask's bit for a sample.
+/// Whether pairs of masks have the bits of four rows, in the first columns.
 #[inline(always)]
-fn bit(pairs: &[u32], column: u32, row: u32) -> u32 {
-    let mask = pairs[(column / 8) as usize] >> (column / 4 % 2 * 16) & 0xFFFF;
-    mask >> (4 * row + column % 4) & 1
+fn are_of_rows<const COLUMNS: usize>(pairs: &[u32], rows: [u32; 4]) -> bool {
+    let mut same = true;
+    for column in 0..COLUMNS {
+        let mask = pairs[column / 8] >> (column / 4 % 2 * 16) & 0xFFFF;
+        for (row, bits) in rows.into_iter().enumerate() {
+            same &= mask >> (4 * row + column % 4) & 1 == bits >> column & 1;
+        }
+    }
+    same
 }
 
 prove! {
     /// Four rows of up to 30 bits, sorted into the masks of 4x4 blocks.
-    #[kani::unwind(17)]
+    #[kani::unwind(31)]
     [wide, merge]
-    fn wide_rows_become_masks(rows: [u32; 4] = [0; 4]..=[(1 << 30) - 1; 4], column: u32 = 0..=29, row: u32 = 0..=3) {
+    fn wide_rows_become_masks(rows: [u32; 4] = [0; 4]..=[(1 << 30) - 1; 4]) {
         let masks = wide(simd(), rows.map(|bits| Words::splat(simd(), bits))).map(|lanes| words(lanes)[5]);
-        assert!(bit(&masks, column, row) == rows[row as usize] >> column & 1);
+        assert!(are_of_rows::<30>(&masks, rows));
     }
 
     /// Four rows of up to 8 bits.
     #[kani::unwind(17)]
     [narrow, merge]
-    fn narrow_rows_become_masks(rows: [u32; 4] = [0; 4]..=[255; 4], column: u32 = 0..=7, row: u32 = 0..=3) {
+    fn narrow_rows_become_masks(rows: [u32; 4] = [0; 4]..=[255; 4]) {
         let masks = words(narrow(simd(), rows.map(|bits| Words::splat(simd(), bits))))[5];
-        assert!(bit(&[masks], column, row) == rows[row as usize] >> column & 1);
+        assert!(are_of_rows::<8>(&[masks], rows));
     }
 
     /// Masks are found where they were put.
@@ -100,5 +112,33 @@ prove! {
     fn crossings_of_small_slopes_are_exact(value: i32 = -512..=511, a: i32 = -15..=15, x: u32 = 0..=29) {
         assume!(a != 0);
         row_is_exact(value, a, x);
+    }
+}
+
+/// What no prover finished: for tests alone.
+#[cfg(test)]
+mod tested {
+    #[allow(clippy::wildcard_imports)]
+    use super::*;
+
+    prove! {
+        /// The windows of a batch have its rows, as many as its tallest medium triangle has and two blocks of small
+        /// ones, and there is a bit for each triangle with a sample: for an edge that leaves each row five
+        /// pixels, and triangle k being k + 1 pixels high.
+        []
+        fn windows_have_the_rows(small: u16, medium: u16, present: u16) {
+            let mut batch = one_edge(34, -7, 8.0);
+            batch.bounds = [[0; 16], [8; 16], [0; 16], [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16]];
+            (batch.small, batch.medium) = (small.into(), medium.into());
+            let (small, medium) = (small & present, medium & present);
+            let mut windows = Windows::EMPTY;
+            let sampled = windows.fill(simd(), &batch, present.into());
+            assert!(sampled == if small | medium != 0 { 0xFFFF } else { 0 });
+            for (row, blocks) in (0..5).zip(windows.rows(6)) {
+                let filled = if row < 2 { small | medium != 0 } else { u32::from(medium) >> (4 * row) != 0 };
+                assert!(blocks == if filled { [0x1111_FFFF, 0, 0, 0] } else { [0; 4] });
+            }
+            cover!(medium == 1 << 12);
+        }
     }
 }

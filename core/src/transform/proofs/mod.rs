@@ -2,6 +2,7 @@
 
 mod clip;
 mod cut;
+mod model;
 mod plane;
 #[cfg(test)]
 mod tested;

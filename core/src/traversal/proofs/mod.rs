@@ -3,5 +3,7 @@
 mod mask;
 mod scan;
 mod step;
+#[cfg(test)]
+mod tested;
 mod tile;
 mod walk;

@@ -29,32 +29,32 @@ fn covers(mut triangle: [Point; 3], (px, py): Point) -> bool {
     area != 0 && inside(a, b) & inside(b, c) & inside(c, a)
 }
 
+/// A triangle's coverage of a pixel in a target of one block by two, against the definition.
+pub(super) fn is_covered_per_sample(points: [[i32; 2]; 3], column: u32, row: u32) -> bool {
+    let vertex = |[x, y]: [i32; 2]| Vertex::<Small>::new(x, y, 0);
+    let [Ok(a), Ok(b), Ok(c)] = points.map(vertex) else { return false };
+    let Ok(region) = Region::of_size(4, 8) else { return false };
+    let mut covered = false;
+    if let Some(triangle) = Triangle::new([a, b, c], Sample::CENTER) {
+        traverse(&triangle, region, |x, y, mask| {
+            if x == 0 && y == row & !3 {
+                assert!(!covered);
+                covered = mask.has(column, row & 3);
+            }
+        });
+    }
+    let sample = (16 * i64::from(column) + 8, 16 * i64::from(row) + 8);
+    assert!(covered == covers(points.map(|[x, y]| (x.into(), y.into())), sample));
+    covered
+}
+
 prove! {
-    /// A whole triangle against the definition: corners on a lattice of 4 by 4 places around and inside a target of
-    /// one block.
+    /// Whole triangles against the definition: a corner at 4 places.
     #[kani::unwind(18)]
     [traverse, traverse_with, walk]
-    fn slow_a_tiny_triangle_is_per_sample(
-        xs: [u32; 3] = [0; 3]..=[3; 3],
-        ys: [u32; 3] = [0; 3]..=[3; 3],
-        column: u32 = 0..=3,
-        row: u32 = 0..=3,
-    ) {
-        let at = |place: u32| 22 * place as i32 - 4;
-        let vertex = |k: usize| Vertex::<Small>::new(at(xs[k]), at(ys[k]), 0);
-        let (Ok(a), Ok(b), Ok(c)) = (vertex(0), vertex(1), vertex(2)) else { return };
-        let Ok(region) = Region::of_size(4, 4) else { return };
-        let mut covered = false;
-        if let Some(triangle) = Triangle::new([a, b, c], Sample::CENTER) {
-            traverse(&triangle, region, |x, y, mask| {
-                assert!(x == 0 && y == 0 && !covered);
-                covered = mask.has(column, row);
-            });
-        }
-        let point = |k: usize| (i64::from(at(xs[k])), i64::from(at(ys[k])));
-        let sample = (16 * i64::from(column) + 8, 16 * i64::from(row) + 8);
-        assert!(covered == covers([point(0), point(1), point(2)], sample));
-        cover!(covered && row == 3);
+    fn a_tiny_triangle_is_per_sample(corner: i32 = 0..=3, column: u32 = 0..=3, row: u32 = 0..=7) {
+        let covered = is_covered_per_sample([[-4, 5], [70, 30], [22 * corner - 4, 116]], column, row);
+        cover!(covered && row == 4);
     }
 
     /// Of a triangle that is everywhere, each pixel of the region is visited once, through tiles and
