@@ -173,7 +173,7 @@ impl<F: Format, A: Attachment<F>, B: Attachment<F>> Attachment<F> for (A, B) {
         if mask.is_empty() {
             return mask;
         }
-        self.1.block_with::<L>(token, &Block { mask, ..*block })
+        self.1.block_with::<L>(token, &Block { mask, ..*block }).and(mask)
     }
 
     #[inline]

@@ -135,8 +135,8 @@ prove! {
         cover!(exact > u128::from(u64::MAX));
     }
 
-    /// A later attachment of a pair or a triple gets no sample that an earlier one did not let through,
-    /// nor one that was not covered.
+    /// A later attachment of a pair or a triple, however they are nested, gets no sample that an earlier one did
+    /// not let through, nor one that was not covered, whatever masks they return.
     [Attachment::block_with]
     fn later_attachments_see_what_earlier_let_through(bits: u16, first: u16, second: u16) {
         let mut attachments = (Only(first), Only(second), Count::default());
@@ -145,5 +145,8 @@ prove! {
         let mask = attachments.block(&block);
         assert!(mask.0 == bits & first & second);
         assert!(attachments.2.samples == u64::from((bits & first & second).count_ones()));
+        let mut nested = ((Only(first), Only(second)), Count::default());
+        assert!(nested.block(&block).0 == bits & first & second);
+        assert!(nested.1.samples == u64::from((bits & first & second).count_ones()));
     }
 }
