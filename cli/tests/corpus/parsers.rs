@@ -160,7 +160,7 @@ fn header<const N: usize>(data: &[u8]) -> Option<([u32; N], Vec<u32>)> {
 /// Whether comparing all that is answered would take too long.
 fn too_much(size: [u32; 2], pictures: u64) -> bool {
     let [width, height] = size.map(u64::from);
-    width.max(height) <= 16384 && width * height * pictures.max(1) > MOST_PIXELS
+    width.max(height) <= 16384 && (width * height).saturating_mul(pictures.max(1)) > MOST_PIXELS
 }
 
 /// A refusal: one line, a status of its own, and nothing was answered.
