@@ -20,6 +20,8 @@ macro_rules! table {
 table! {
     /// Coverage of one triangle, for each format.
     COVERAGE = 12_000;
+    /// Set-up triangles, for each format.
+    SETUP = 3_000;
     /// Coverage against the definition in rationals.
     DEFINITION = 300;
     /// Triangulations, fans and grids drawn whole.
