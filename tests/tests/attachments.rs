@@ -59,6 +59,27 @@ fn cleared_attachments_hold_what_they_are_cleared_to() {
     assert_eq!((depths, ids), ([9; 32], [NO_ID; 32]));
 }
 
+#[test]
+fn rows_are_copied_from_every_attachment() {
+    let region = Region::<Standard>::of_size(4, 3).unwrap();
+    let mut texels: [u32; 16] = std::array::from_fn(|k| k as u32);
+    let (mut depths, mut ids) = ([99; 12], [99; 12]);
+    Depth::<Standard>::new(region, &mut texels, DepthTest::LESS).unwrap().to_linear(&mut depths).unwrap();
+    Ids::new(region, &mut texels).unwrap().to_linear(&mut ids).unwrap();
+    assert_eq!((depths.as_slice(), ids), (&texels[..12], depths));
+}
+
+/// The triangle's depth is 2^30 everywhere.
+#[test]
+fn depth_lets_through_what_is_nearer() {
+    let region = Region::<Standard>::of_size(4, 4).unwrap();
+    let mut texels = [(1 << 30) + 1; 16];
+    texels[2] = 1 << 30;
+    let mut depth: Depth<'_, Standard> = Depth::new(region, &mut texels, DepthTest::LESS).unwrap();
+    assert_eq!(passed(&mut depth, 0x8006), 0x8002);
+    assert_eq!(passed(&mut depth, 0x8007), 0x0001);
+}
+
 /// Those that only write or count let every sample through.
 #[test]
 fn attachments_without_a_test_let_everything_through() {
@@ -109,6 +130,10 @@ fn every_member_is_asked_whether_the_area_fits() {
     }
     assert_eq!(check(&mut narrow, large), Some(outside));
     assert_eq!(check(&mut roomy, large), None);
+    let mut texels = [0; 64];
+    assert_eq!(check(Ids::new(small, &mut texels).unwrap(), large), Some(outside));
+    let depth: Depth<'_, Standard> = Depth::new(small, &mut texels, DepthTest::LESS).unwrap();
+    assert_eq!(check(depth, large), Some(outside));
     assert_eq!(check((&mut narrow, &mut roomy), large), Some(outside));
     assert_eq!(check((&mut roomy, &mut narrow), large), Some(outside));
     assert_eq!(check((&mut narrow, (), &mut roomy), large), Some(outside));

@@ -162,10 +162,13 @@ fn on_the_near_and_on_the_far_plane() {
 #[test]
 fn corners_beyond_the_guard_band_on_both_sides() {
     let wide = [[-2e5, -0.9, 0.5, 1.0], [1e4, 0.9, 0.5, 1.0], [2e5, -0.9, 0.5, 1.0]];
-    crosses(wide, true);
-    crosses(wide.map(|[x, y, z, w]| [y, x, z, w]), true);
-    crosses(wide.map(|[x, y, z, w]| [-x, -y, z, w]), true);
-    crosses(wide.map(|[x, y, z, w]| [-y, -x, z, w]), true);
+    for scale in [1.0, 4.0, 0.125] {
+        let wide = wide.map(|corner| corner.map(|v| v * scale));
+        crosses(wide, true);
+        crosses(wide.map(|[x, y, z, w]| [y, x, z, w]), true);
+        crosses(wide.map(|[x, y, z, w]| [-x, -y, z, w]), true);
+        crosses(wide.map(|[x, y, z, w]| [-y, -x, z, w]), true);
+    }
 }
 
 /// A corner exactly on the guard band is inside it: the triangle is drawn as it is, and clipped with the next
@@ -194,13 +197,14 @@ fn a_corner_on_the_guard_band() {
 #[test]
 fn a_corner_at_the_eye() {
     let clipped = |w| {
-        let triangle = [[0.0, 0.0, 0.0, w], [2.0, 0.1, 0.5, 1.0], [0.0, 1.0, 0.5, 1.0]];
+        let triangle = [[0.0, 0.0, 0.0, w], [2.0, 0.5, 0.5, 1.0], [0.0, 1.0, 0.5, 1.0]];
         statistics(triangle, Cull::None)
     };
     assert_eq!(clipped(f32::MIN_POSITIVE).clipped, 0);
     assert_eq!(clipped(f32::MIN_POSITIVE.next_down()).clipped, 1);
+    // At the eye itself it is seen in the direction of the others: nothing but their edge is left.
     let at_the_eye = clipped(0.0);
-    assert_eq!((at_the_eye.clipped, at_the_eye.rejected.non_finite), (1, 0), "{at_the_eye}");
+    assert_eq!((at_the_eye.clipped, at_the_eye.culled.zero_area), (1, 1), "{at_the_eye}");
 }
 
 #[test]
