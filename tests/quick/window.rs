@@ -36,6 +36,9 @@ fn properties_hold() -> Verdict {
     of_statistics(&mut random)?;
     of_depth::<Small, D16>(&mut random, DepthSpec::SMALL)?;
     of_depth::<Standard, D32>(&mut random, DepthSpec::D32)?;
+    for size in 14..=23 {
+        depth::of_a_power_of_two::<Standard, D32>([size, 36 - size], [2, u32::MAX - 2, 77], DepthSpec::D32)?;
+    }
     of_draws::<Small, D16>(&mut random, DepthSpec::SMALL, 40)?;
     of_draws::<Standard, D16>(&mut random, DepthSpec::D16, 10)?;
     of_draws::<Standard, D32>(&mut random, DepthSpec::D32, 60)?;
