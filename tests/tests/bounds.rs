@@ -1,6 +1,6 @@
 //! The bounds of the ready formats are the numbers that their table gives.
 
-use halfplane::{Bounds, Small, Standard};
+use halfplane::{Bounds, Region, Sample, Small, Standard, State};
 
 #[test]
 fn bounds_of_the_standard_format() {
@@ -22,4 +22,11 @@ fn bounds_of_the_small_format() {
     assert_eq!(B::MAX_NUMERATOR, (1 << 16) * 0xFFFF);
     // 31/32 of 1024 pixels; one unit and a half.
     assert_eq!((B::CLIP_PIXELS, B::MAX_DEPTH_ERROR_2_16), (992, 0x1_8000));
+}
+
+#[test]
+fn samples_are_at_the_centre_by_default() {
+    assert_eq!(Some(Sample::<Standard>::CENTER), Sample::new(128, 128));
+    assert_eq!(Some(Sample::<Small>::default()), Sample::new(8, 8));
+    assert_eq!(State::new(Region::<Small>::of_size(4, 4).unwrap()).sample, Sample::CENTER);
 }
