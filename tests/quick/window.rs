@@ -119,6 +119,8 @@ fn of_bounds<F: Format>(random: &mut Random) -> Verdict {
         let (_, corners) = random.triangle::<F>(&frame);
         coverage::bounds_are_half_open::<F>(&frame, &corners)?;
         setup::of_triangle::<F>(&frame, &corners, depths(random.words()))?;
+        setup::of_regions::<F>([frame.region, frame.scissor])?;
+        setup::of_regions::<F>([frame.scissor, small_frame::<F>(random, 40).region])?;
         setup::of_mask(random.bits() as u16, random.bits() as u16)?;
     }
     Ok(())

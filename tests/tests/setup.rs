@@ -2,10 +2,10 @@
 
 use halfplane::{Format, Small, Standard};
 use halfplane_tests::{
-    properties::setup::{of_mask, of_triangle},
+    properties::setup::{of_mask, of_regions, of_triangle},
     run::check,
     sizes,
-    strategies::shot,
+    strategies::{frame, shot},
     toy::Toy,
 };
 
@@ -33,4 +33,14 @@ fn every_mask_has_its_cells() {
     for bits in 0..=u16::MAX {
         of_mask(bits, bits.rotate_left(3) ^ 0x5A).unwrap();
     }
+}
+
+#[test]
+fn regions_have_in_common_what_both_have() {
+    check(sizes::SETUP, (frame::<Small>(), frame::<Small>()), |(one, other)| {
+        for regions in [[one.region, other.region], [one.region, one.scissor], [one.scissor, one.region]] {
+            of_regions::<Small>(regions)?;
+        }
+        Ok(())
+    });
 }

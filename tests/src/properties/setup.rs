@@ -71,6 +71,17 @@ pub fn of_triangle<F: Format>(frame: &Frame, corners: &Corners, z: [u32; 3]) -> 
     Ok(())
 }
 
+/// What two regions have in common, and whether one is in the other.
+pub fn of_regions<F: Format>([a, b]: [[u32; 4]; 2]) -> Verdict {
+    let region = |[x0, y0, x1, y1]: [u32; 4]| Region::<F>::new(x0, y0, x1, y1);
+    let common = [a[0].max(b[0]), a[1].max(b[1]), a[2].min(b[2]), a[3].min(b[3])];
+    let (one, other) = (region(a)?, region(b)?);
+    ensure_eq!((one.width(), one.height()), (a[2] - a[0], a[3] - a[1]), "size of {a:?}");
+    ensure_eq!(one.intersect(other), region(common).ok(), "what {a:?} and {b:?} have in common");
+    ensure_eq!(one.contains(other), common == b, "whether {a:?} contains {b:?}");
+    Ok(())
+}
+
 /// A mask's cells, one by one and together.
 pub fn of_mask(bits: u16, other: u16) -> Verdict {
     let mask = Mask(bits);
