@@ -34,6 +34,10 @@ fn properties_hold() -> Verdict {
     of_bounds::<Standard>(&mut random)?;
     of_bounds::<Small>(&mut random)?;
     of_statistics(&mut random)?;
+    for kind in Kind::ALL {
+        coverage::equals_reference_in_a_long_scissor::<Standard>(&mut random, false, kind)?;
+        coverage::equals_reference_in_a_long_scissor::<Standard>(&mut random, true, kind)?;
+    }
     of_depth::<Small, D16>(&mut random, DepthSpec::SMALL)?;
     of_depth::<Standard, D32>(&mut random, DepthSpec::D32)?;
     for size in 14..=23 {

@@ -1,7 +1,7 @@
 //! What a set-up triangle and a mask say of themselves, against the definitions.
 
 use crate::{Frame, ensure, ensure_eq, failure::Verdict, frame::window_vertices, shapes::Corners};
-use halfplane::{Format, Mask, Region, Triangle, Winding, traverse};
+use halfplane::{Format, Mask, Region, Triangle, Winding, geometry::is_outside, traverse};
 
 /// Twice the signed area of three points in steps.
 fn doubled_area([[ax, ay], [bx, by], [cx, cy]]: [[i64; 2]; 3]) -> i64 {
@@ -13,6 +13,13 @@ pub fn of_triangle<F: Format>(frame: &Frame, corners: &Corners, z: [u32; 3]) -> 
     let submitted = window_vertices::<F>(corners, z)?;
     let corners = corners.map(|corner| corner.map(i64::from));
     let area = doubled_area(corners);
+    let [x0, y0, x1, y1] = frame.scissor;
+    let scissor = Region::new(x0, y0, x1, y1)?;
+    let apart = |axis: usize, first: u32, end: u32| {
+        let [first, end] = [first, end].map(|pixel| i64::from(pixel) << F::SUBPIXEL_BITS);
+        corners.iter().all(|corner| corner[axis] <= first) || corners.iter().all(|corner| corner[axis] >= end)
+    };
+    ensure_eq!(is_outside(submitted, scissor), apart(0, x0, x1) || apart(1, y0, y1), "outside the scissor");
     let Some(triangle) = Triangle::new(submitted, frame.core_sample()?) else {
         ensure_eq!(area, 0, "the area of a triangle that is none");
         return Ok(());
@@ -59,8 +66,7 @@ pub fn of_triangle<F: Format>(frame: &Frame, corners: &Corners, z: [u32; 3]) -> 
     ensure_eq!(triangle.weights(0, last + 1), None, "weights below the largest target");
 
     let mut blocks = Vec::new();
-    let [x0, y0, x1, y1] = frame.scissor;
-    let any = traverse(&triangle, Region::new(x0, y0, x1, y1)?, |x, y, mask| blocks.push((x, y, mask)));
+    let any = traverse(&triangle, scissor, |x, y, mask| blocks.push((x, y, mask)));
     ensure_eq!(any, !blocks.is_empty(), "whether a block was visited");
     ensure!(blocks.iter().all(|(_, _, mask)| !mask.is_empty()), "a block without a sample");
     let mut places: Vec<(u32, u32)> = blocks.iter().map(|&(x, y, _)| (x, y)).collect();
