@@ -1,7 +1,9 @@
 //! The transform: a snapped vertex against the exact rational position.
 
 use crate::{Failure, ensure, ensure_eq, failure::Verdict};
-use halfplane::{Bounds, ClipPositions, Format, ModelPositions, Positions, Region, Vertex, Viewport};
+use halfplane::{
+    Assembly, Bounds, ClipPositions, Format, ModelPositions, Positions, Region, Vertex, Viewport,
+};
 use halfplane_reference::{Rational, from_f32, from_steps, to_window};
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive};
@@ -121,15 +123,19 @@ pub fn model_is_its_clip_space<F: Format>(
     ensure_eq!(model.window(), Some(viewport.region()), "the viewport");
     for first in 0..vertices.len() {
         let corners = [first, (first + 1) % vertices.len(), (first + 2) % vertices.len()];
-        let pieces = |positions: &dyn Fn(&mut Vec<[Vertex<F>; 3]>) -> halfplane::Assembly| {
-            let mut pieces = Vec::new();
-            (positions(&mut pieces), pieces)
-        };
-        let given = pieces(&|pieces| model.assemble(corners, |piece| pieces.push(piece)));
-        let expected = pieces(&|pieces| positions.assemble(corners, |piece| pieces.push(piece)));
+        let (given, expected) = (assembled(&model, corners), assembled(&positions, corners));
         ensure_eq!(given, expected, "the triangle of {corners:?}");
     }
     Ok(())
+}
+
+/// What becomes of a triangle, and its pieces.
+fn assembled<F: Format>(
+    positions: &impl Positions<F>,
+    corners: [usize; 3],
+) -> (Assembly, Vec<[Vertex<F>; 3]>) {
+    let mut pieces = Vec::new();
+    (positions.assemble(corners, |piece| pieces.push(piece)), pieces)
 }
 
 fn whole(value: i64) -> Rational {
