@@ -18,6 +18,7 @@
 pub mod double;
 pub mod failure;
 pub mod frame;
+#[cfg(feature = "simd")]
 pub mod fuzzing;
 pub mod golden;
 pub mod layers;

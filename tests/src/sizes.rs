@@ -20,6 +20,10 @@ macro_rules! table {
 table! {
     /// Coverage of one triangle, for each format.
     COVERAGE = 12_000;
+    /// Triangles in long and narrow scissors.
+    LONG = 500;
+    /// Set-up triangles, for each format.
+    SETUP = 3_000;
     /// Coverage against the definition in rationals.
     DEFINITION = 300;
     /// Triangulations, fans and grids drawn whole.

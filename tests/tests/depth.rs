@@ -63,3 +63,17 @@ for_each_format! {
     small_d16 Small D16 SMALL;
     toy_d16 Toy D16 SMALL;
 }
+
+/// Areas from 2^16 to the largest square steps, by every width.
+#[test]
+fn depths_over_powers_of_two_are_specified() {
+    let depths = [[2, u32::MAX - 2, 77], [0x9000_0001, 3, 0xFFFF_0000], [1 << 8, 3 << 8, u32::MAX]];
+    for z in depths {
+        for (width, height) in (8..=23).flat_map(|width| (8..=23).map(move |height| (width, height))) {
+            depth::of_a_power_of_two::<Standard, D32>([width, height], z, DepthSpec::D32).unwrap();
+        }
+        for (width, height) in (4..=14).flat_map(|width| (4..=14).map(move |height| (width, height))) {
+            depth::of_a_power_of_two::<Small, D16>([width, height], z, DepthSpec::SMALL).unwrap();
+        }
+    }
+}

@@ -3,14 +3,12 @@
 use halfplane::{Format, Small, Standard};
 use halfplane_tests::{
     Frame,
-    properties::{
-        enumeration::{Lattice, every_triangle},
-        exhaustive::ALL,
-    },
-    shapes::Random,
+    properties::enumeration::{Lattice, every_triangle},
     sizes,
     toy::Toy,
 };
+#[cfg(feature = "simd")]
+use halfplane_tests::{properties::exhaustive::ALL, shapes::Random};
 
 fn enumerate<F: Format>(frame: &Frame, lattice: Lattice) {
     let triangles = every_triangle::<F>(frame, lattice).unwrap();
@@ -61,6 +59,7 @@ fn every_triangle_round_a_sample_of_the_ready_formats() {
 }
 
 /// The first part, the last, and as many others as there shall be, those with a case.
+#[cfg(feature = "simd")]
 #[test]
 fn slices_of_the_long_enumerations() {
     for enumeration in ALL {

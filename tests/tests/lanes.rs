@@ -1,18 +1,22 @@
 //! Every implementation of the lanes, and whole frames drawn with them.
 
-use crate::simd::{Met, triangles};
-use halfplane_tests::{
-    properties::{
-        definition_path::{frame_is_the_one_of_arrays, small_format_is_the_one_of_arrays},
-        lanes::every_operation_at_every_level,
-        simd::Case,
-    },
-    run::check,
-    shapes::Kind,
-    sizes,
-    strategies::numbers,
-};
+#[cfg(not(feature = "simd"))]
+use halfplane_tests::properties::lanes::every_operation_of_arrays as every_operation_at_every_level;
+use halfplane_tests::{run::check, sizes};
 use proptest::prelude::*;
+#[cfg(feature = "simd")]
+use {
+    crate::simd::{Met, triangles},
+    halfplane_tests::{
+        properties::{
+            definition_path::{frame_is_the_one_of_arrays, small_format_is_the_one_of_arrays},
+            lanes::every_operation_at_every_level,
+            simd::Case,
+        },
+        shapes::Kind,
+        strategies::numbers,
+    },
+};
 
 #[test]
 fn lanes_do_what_they_say() {
@@ -47,6 +51,7 @@ fn every_mask_is_kept() {
     }
 }
 
+#[cfg(feature = "simd")]
 #[test]
 fn frames_at_every_level_are_those_of_arrays() {
     let met = Met::default();
@@ -62,6 +67,7 @@ fn frames_at_every_level_are_those_of_arrays() {
     met.assert_all();
 }
 
+#[cfg(feature = "simd")]
 #[test]
 fn frames_of_the_small_format_at_every_level_are_those_of_arrays() {
     let met = Met::default();

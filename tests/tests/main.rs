@@ -1,6 +1,9 @@
 //! The drivers: each test hands cases of one engine to properties of the library.
 
+mod attachments;
+mod bounds;
 mod clipping;
+#[cfg(feature = "simd")]
 mod corpus;
 mod coverage;
 mod depth;
@@ -11,13 +14,17 @@ mod goldens;
 mod issues;
 mod lanes;
 mod layers;
+#[cfg(feature = "simd")]
 mod meshlets;
 mod messages;
 mod named;
 mod numbers;
+#[cfg(feature = "simd")]
 mod queue;
 mod scenes;
+mod setup;
 mod shapes;
+#[cfg(feature = "simd")]
 mod simd;
 mod statistics;
 mod storage;

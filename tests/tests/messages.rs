@@ -1,11 +1,11 @@
 //! What errors and statistics say, and the refusals that are no errors.
 
+#[cfg(feature = "simd")]
+use halfplane::simd::{Meshlet, make_meshlets};
 use halfplane::{
     Assembly, Attachment, Block, ClipPositions, Coverage, CulledCounts, Depth, DepthTest, DrawError, Mask,
     ModelPositions, OutsideAttachment, Positions, Region, RejectedCounts, Sample, Small, Standard, State,
-    Statistics, Triangle, Vertex, Viewport, draw,
-    simd::{Meshlet, make_meshlets},
-    texels,
+    Statistics, Triangle, Vertex, Viewport, draw, texels,
 };
 use std::error::Error;
 
@@ -56,6 +56,7 @@ fn draws_say_what_was_wrong() {
     assert_eq!(scratch.to_string(), "4 records of scratch memory: one for each of 5 vertices is needed");
 }
 
+#[cfg(feature = "simd")]
 #[test]
 fn meshlets_say_what_was_wrong() {
     let positions = [[0.0; 3]; 3];
@@ -68,6 +69,7 @@ fn meshlets_say_what_was_wrong() {
 }
 
 /// Few vertices and more triangles than a meshlet has places for.
+#[cfg(feature = "simd")]
 #[test]
 fn meshlets_are_full_of_triangles_before_vertices() {
     let indices = [0u16, 1, 2].repeat(300);

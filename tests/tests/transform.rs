@@ -3,7 +3,7 @@
 use halfplane::{Format, Small, Standard};
 use halfplane_tests::{
     Frame,
-    properties::transform::{Distance, any_bits_are_safe, snapped_is_near_exact},
+    properties::transform::{Distance, any_bits_are_safe, model_is_its_clip_space, snapped_is_near_exact},
     run::check,
     shapes::clip_bits,
     sizes,
@@ -55,5 +55,16 @@ fn any_bits_project_without_panic() {
             any_bits_are_safe::<Small>(vertex, Frame::from_numbers::<Small>(place).region)?;
         }
         Ok(())
+    });
+}
+
+#[test]
+fn object_space_is_the_clip_space_of_its_matrix() {
+    let bits = || (numbers::<13>(), numbers::<13>(), numbers::<12>());
+    check(sizes::TRANSFORM, bits(), |(vertices, matrix, place)| {
+        let vertices = clip_bits(vertices).map(|[x, y, z, _]| [x, y, z]);
+        let [m0, m1, m2] = clip_bits(matrix);
+        let target = Frame::from_numbers::<Standard>(place).region;
+        model_is_its_clip_space::<Standard>(&vertices, [m0, m1, m2, [0.25, -0.5, 0.5, 1.0]], target)
     });
 }

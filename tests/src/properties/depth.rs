@@ -65,6 +65,19 @@ pub fn is_specified_and_bounded<F: Format, D: DepthFormat<F>>(
     Ok(largest)
 }
 
+/// [`is_specified_and_bounded`] of a triangle whose doubled area is 2^(`width` + `height`) square steps: each way to
+/// divide by an area meets its ends.
+pub fn of_a_power_of_two<F: Format, D: DepthFormat<F>>(
+    [width, height]: [u32; 2],
+    z: [u32; 3],
+    spec: DepthSpec,
+) -> Verdict {
+    let frame = Frame::whole::<F>(8, 8);
+    let corners = [[0, 0], [1 << width, 0], [0, 1 << height]];
+    is_specified_and_bounded::<F, D>(&frame, &corners, z, spec)?;
+    is_specified_and_bounded::<F, D>(&frame, &corners.map(|[x, y]| [y, x]), z, spec).map(|_| ())
+}
+
 /// The depth at covered samples is the definition's, evaluated word for word in unbounded integers.
 pub fn equals_definition<F: Format, D: DepthFormat<F>>(
     frame: &Frame,

@@ -1,10 +1,12 @@
 //! Each lane operation does to every lane what it says. Any implementation of `Lanes` can be put in.
 
-use crate::{Failure, ensure_eq, failure::Verdict};
-use fearless_simd::{Simd, dispatch};
-use halfplane::{
-    lanes::{ArrayLanes, Lanes, VectorLanes},
-    simd::Level,
+use crate::{ensure_eq, failure::Verdict};
+use halfplane::lanes::{ArrayLanes, Lanes};
+#[cfg(feature = "simd")]
+use {
+    crate::Failure,
+    fearless_simd::{Simd, dispatch},
+    halfplane::{lanes::VectorLanes, simd::Level},
 };
 
 /// All operations on these values.
@@ -51,14 +53,20 @@ pub fn every_operation<L: Lanes>(
     Ok(())
 }
 
+/// [`every_operation`] of arrays.
+pub fn every_operation_of_arrays(a: [u32; 16], b: [u32; 16], masks: [u16; 2], ramp: [i32; 3]) -> Verdict {
+    every_operation::<ArrayLanes>((), a, b, masks, ramp)
+}
+
 /// [`every_operation`] of arrays, and of vectors at every level of this machine.
+#[cfg(feature = "simd")]
 pub fn every_operation_at_every_level(
     a: [u32; 16],
     b: [u32; 16],
     masks: [u16; 2],
     ramp: [i32; 3],
 ) -> Verdict {
-    every_operation::<ArrayLanes>((), a, b, masks, ramp).map_err(|failure| at("arrays", failure))?;
+    every_operation_of_arrays(a, b, masks, ramp).map_err(|failure| at("arrays", failure))?;
     let best = fearless_simd::Level::new();
     for level in [
         #[cfg(target_arch = "x86_64")]
@@ -81,6 +89,7 @@ pub fn every_operation_at_every_level(
     Ok(())
 }
 
+#[cfg(feature = "simd")]
 fn operations_of_vectors<S: Simd>(
     simd: S,
     a: [u32; 16],
@@ -91,6 +100,7 @@ fn operations_of_vectors<S: Simd>(
     every_operation::<VectorLanes<S>>(simd, a, b, masks, ramp)
 }
 
+#[cfg(feature = "simd")]
 fn at(level: &str, failure: Failure) -> Failure {
     Failure::new(format_args!("{level}: {failure:?}"))
 }

@@ -1,7 +1,9 @@
 //! The transform: a snapped vertex against the exact rational position.
 
-use crate::{Failure, ensure, failure::Verdict};
-use halfplane::{Bounds, Format, Region, Viewport};
+use crate::{Failure, ensure, ensure_eq, failure::Verdict};
+use halfplane::{
+    Assembly, Bounds, ClipPositions, Format, ModelPositions, Positions, Region, Vertex, Viewport,
+};
 use halfplane_reference::{Rational, from_f32, from_steps, to_window};
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive};
@@ -93,6 +95,47 @@ pub fn any_bits_are_safe<F: Format>(vertex: [f32; 4], [x0, y0, x1, y1]: [u32; 4]
         );
     }
     Ok(())
+}
+
+/// Object-space vertices through a matrix are the clip-space vertices of the definition, x m0 + y m1 + z m2 + m3
+/// from left to right, and become the same window triangles in the same viewport.
+pub fn model_is_its_clip_space<F: Format>(
+    vertices: &[[f32; 3]],
+    matrix: [[f32; 4]; 4],
+    [x0, y0, x1, y1]: [u32; 4],
+) -> Verdict {
+    let viewport = Viewport::new(Region::<F>::new(x0, y0, x1, y1)?);
+    let model = ModelPositions::new(vertices, matrix, viewport);
+    let [m0, m1, m2, m3] = matrix;
+    let clip: Vec<[f32; 4]> = vertices
+        .iter()
+        .map(|[x, y, z]| std::array::from_fn(|k| ((x * m0[k] + y * m1[k]) + z * m2[k]) + m3[k]))
+        .collect();
+    // A NaN is one, whatever its bits.
+    let bits = |v: f32| if v.is_nan() { u32::MAX } else { v.to_bits() };
+    for (at, expected) in clip.iter().enumerate() {
+        ensure_eq!(model.clip(at).map(|v| v.map(bits)), Some(expected.map(bits)), "vertex {at}");
+    }
+    ensure!(model.clip(vertices.len()).is_none(), "a vertex after the last");
+    let positions = ClipPositions::new(&clip, viewport);
+    ensure_eq!(model.count(), positions.count(), "vertices");
+    ensure_eq!(model.window(), positions.window(), "the window");
+    ensure_eq!(model.window(), Some(viewport.region()), "the viewport");
+    for first in 0..vertices.len() {
+        let corners = [first, (first + 1) % vertices.len(), (first + 2) % vertices.len()];
+        let (given, expected) = (assembled(&model, corners), assembled(&positions, corners));
+        ensure_eq!(given, expected, "the triangle of {corners:?}");
+    }
+    Ok(())
+}
+
+/// What becomes of a triangle, and its pieces.
+fn assembled<F: Format>(
+    positions: &impl Positions<F>,
+    corners: [usize; 3],
+) -> (Assembly, Vec<[Vertex<F>; 3]>) {
+    let mut pieces = Vec::new();
+    (positions.assemble(corners, |piece| pieces.push(piece)), pieces)
 }
 
 fn whole(value: i64) -> Rational {

@@ -1,7 +1,8 @@
 //! Where triangles are relative to the camera and its frustum.
 
 use halfplane::{
-    ClipPositions, Cull, Depth, DepthTest, Region, Standard, State, Statistics, Viewport, draw, texels,
+    Bounds, ClipPositions, Cull, Depth, DepthTest, Region, Standard, State, Statistics, Viewport, draw,
+    texels,
 };
 use halfplane_tests::{
     Frame,
@@ -146,6 +147,64 @@ fn trapped_in_a_box() {
         draw(&positions, triangles.as_flattened(), 0, &State::new(region), &mut depth).unwrap();
         assert!(frame.pixels().all(|(x, y)| depth.get(x, y).is_some_and(|depth| depth != u32::MAX)));
     }
+}
+
+/// All corners on the near or on the far plane, which are inside, and some beside the frustum.
+#[test]
+fn on_the_near_and_on_the_far_plane() {
+    for z in [0.0, 2.0] {
+        crosses([[-5.0, 0.1, z, 2.0], [0.5, 1.5, z, 2.0], [0.4, -1.2, z, 2.0]], false);
+        crosses([[0.1, 9.0, z, 2.0], [-1.5, 0.5, z, 2.0], [1.2, 0.4, z, 2.0]], false);
+    }
+}
+
+/// Every corner far beyond the left or the right plane, or the top or the bottom one, and beyond the guard band.
+#[test]
+fn corners_beyond_the_guard_band_on_both_sides() {
+    let wide = [[-2e5, -0.9, 0.5, 1.0], [1e4, 0.9, 0.5, 1.0], [2e5, -0.9, 0.5, 1.0]];
+    for scale in [1.0, 4.0, 0.125] {
+        let wide = wide.map(|corner| corner.map(|v| v * scale));
+        crosses(wide, true);
+        crosses(wide.map(|[x, y, z, w]| [y, x, z, w]), true);
+        crosses(wide.map(|[x, y, z, w]| [-x, -y, z, w]), true);
+        crosses(wide.map(|[x, y, z, w]| [-y, -x, z, w]), true);
+    }
+}
+
+/// A corner exactly on the guard band is inside it: the triangle is drawn as it is, and clipped with the next
+/// float outwards.
+#[test]
+fn a_corner_on_the_guard_band() {
+    let limit = Bounds::<Standard>::CLIP_PIXELS as f32;
+    let (x, y) = (WIDTH as f32 / 2.0, HEIGHT as f32 / 2.0);
+    let (left, right) = ((-limit - x) / x, (limit - x) / x);
+    let (bottom, top) = ((y - limit) / y, (y + limit) / y);
+    let clipped = |corner| {
+        let triangle = [corner, [0.2, 1.5, 0.5, 1.0], [-0.1, -0.8, 0.5, 1.0]];
+        statistics(triangle, Cull::None).clipped
+    };
+    for (end, beyond) in [(left, left.next_down()), (right, right.next_up())] {
+        let corner = |x| [x, 0.1, 0.5, 1.0];
+        assert_eq!((clipped(corner(end)), clipped(corner(beyond))), (0, 1), "x {end}");
+    }
+    for (end, beyond) in [(bottom, bottom.next_down()), (top, top.next_up())] {
+        let corner = |y| [0.1, y, 0.5, 1.0];
+        assert_eq!((clipped(corner(end)), clipped(corner(beyond))), (0, 1), "y {end}");
+    }
+}
+
+/// The smallest w that is divided by, and the next one.
+#[test]
+fn a_corner_at_the_eye() {
+    let clipped = |w| {
+        let triangle = [[0.0, 0.0, 0.0, w], [2.0, 0.5, 0.5, 1.0], [0.0, 1.0, 0.5, 1.0]];
+        statistics(triangle, Cull::None)
+    };
+    assert_eq!(clipped(f32::MIN_POSITIVE).clipped, 0);
+    assert_eq!(clipped(f32::MIN_POSITIVE.next_down()).clipped, 1);
+    // At the eye itself it is seen in the direction of the others: nothing but their edge is left.
+    let at_the_eye = clipped(0.0);
+    assert_eq!((at_the_eye.clipped, at_the_eye.culled.zero_area), (1, 1), "{at_the_eye}");
 }
 
 #[test]

@@ -1,0 +1,67 @@
+//! The vector code with few cases: the driver of mutation testing for `simd` (docs/mutants.md). It is compiled for
+//! each mutant, for one vector level and plain arrays. `cargo test` does not run it, as it has the same properties
+//! with more cases, at every level.
+
+use halfplane_tests::{
+    failure::Verdict,
+    properties::{definition_path, lanes, meshlets, simd},
+    shapes::{Kind, Random},
+};
+
+#[path = "../tests/queue.rs"]
+mod queue;
+
+#[test]
+fn properties_hold() -> Verdict {
+    let mut random = Random(1);
+    for round in 0..60 {
+        let masks = [random.bits() as u16, random.bits() as u16];
+        let ramp = random.words().map(|v: u32| v as i32);
+        lanes::every_operation_at_every_level(random.words(), random.words(), masks, ramp)?;
+        let case = case(&mut random, 40);
+        simd::frame_is_the_scalar_one(&case)?;
+        meshlets::meshlets_are_the_mesh(&case)?;
+        definition_path::frame_is_the_one_of_arrays(&case)?;
+        if round % 10 == 0 {
+            let many = self::case(&mut random, 400);
+            simd::frame_is_the_scalar_one(&many)?;
+            meshlets::meshlets_are_the_mesh(&many)?;
+            meshlets::meshlets_can_be_drawn_alone(1 + random.below(300), random.bits())?;
+            meshlets::meshlet_errors(1 + random.below(300), random.bits())?;
+        }
+        let refused = simd::Refused {
+            vertices: 3 + random.below(37),
+            triangles: 1 + random.below(89),
+            at: random.below(1000),
+            beyond: random.bits() as u32,
+        };
+        simd::errors_are_the_scalar_ones(refused)?;
+    }
+    for _ in 0..100 {
+        let grazing = meshlets::Grazing {
+            axis: random.below(3),
+            upper: random.below(2) == 0,
+            scale: random.between(-20, 19) as i32,
+            shift: random.between(-10, 23) as i32,
+            seed: random.bits(),
+        };
+        meshlets::grazing_meshlets_are_the_mesh(&grazing)?;
+    }
+    for _ in 0..60 {
+        // Exact positions, all depths, both windings.
+        let mut how: [u32; 10] = random.words();
+        [how[0], how[1], how[2], how[7]] = [0, 10, 0, 1];
+        let kinds = [Kind::Bezout, Kind::Sliver, Kind::Tiny, Kind::OnSamples, Kind::ThroughSamples];
+        let case = simd::Case::from_numbers(random.words(), how, &triangles(&mut random, 24), &kinds);
+        simd::depths_are_the_scalar_ones(&case)?;
+    }
+    Ok(())
+}
+
+fn triangles(random: &mut Random, most: usize) -> Vec<simd::Numbers> {
+    (0..random.below(most + 1)).map(|_| (random.bits() as u32, random.words(), random.words())).collect()
+}
+
+fn case(random: &mut Random, most: usize) -> simd::Case {
+    simd::Case::from_numbers(random.words(), random.words(), &triangles(random, most), &Kind::ALL)
+}
