@@ -100,6 +100,10 @@ pub struct Report {
     /// Time for each row, at most; never fewer than 3 frames
     #[arg(long, value_name = "S", default_value_t = Self::SECONDS, value_parser = seconds, allow_hyphen_values = true)]
     pub seconds: f64,
+    /// Wrong pixels that the recommended configuration may have, against the picture without any rounding
+    /// [default: as few as any configuration has]
+    #[arg(long, value_name = "PIXELS", value_parser = wrong_pixels, allow_hyphen_values = true)]
+    pub max_error: Option<f64>,
     /// Where castle.bin, sponza.bin and their cameras are looked for
     #[arg(long, value_name = "DIR", default_value = "../shared/scenes")]
     pub scenes: PathBuf,
@@ -349,6 +353,11 @@ fn matrix(text: &str) -> Result<Matrix, String> {
 fn field_of_view(text: &str) -> Result<f64, String> {
     let fov = text.parse().ok().filter(|fov| (0.1..=179.0).contains(fov));
     fov.ok_or_else(|| "it must be an angle from 0.1 to 179 degrees".to_owned())
+}
+
+fn wrong_pixels(text: &str) -> Result<f64, String> {
+    let pixels = text.parse().ok().filter(|pixels: &f64| *pixels >= 0.0);
+    pixels.ok_or_else(|| "it must be a number of pixels, 0 or more".to_owned())
 }
 
 fn seconds(text: &str) -> Result<f64, String> {

@@ -4,9 +4,11 @@ use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
+use halfplane_report::leaving_out;
 use halfplane_report::page::Report;
 use halfplane_report::run::{self, Progress};
 use halfplane_report::scene::Scene;
+use halfplane_report::stiffness;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::args::{self, Options};
@@ -25,15 +27,27 @@ const BESIDE: [(&str, &str); 2] = [("castle", "main"), ("sponza", "gallery")];
 /// [`Error`] for a mesh or camera that is no good, or a page that cannot be written.
 pub fn run_report(arguments: &args::Report) -> Result<(), Error> {
     let (scenes, absent) = scenes(arguments)?;
-    let bar = Bar::new(scenes.len());
+    let bar = Bar::new(scenes.len() + 1);
     let mut reports = Vec::new();
     for scene in &scenes {
         reports.push(run::scene(scene, Duration::from_secs_f64(arguments.seconds), &bar)?);
         bar.next();
     }
+    let ladders = stiffness::climb(&bar)?;
+    let checks = stiffness::checks::all()?;
+    bar.at("programs", 1.0);
+    let programs = leaving_out::programs();
     bar.bar.finish_and_clear();
-    let report =
-        Report { command: command_line(arguments), machine: machine::describe(), scenes: reports, absent };
+    let report = Report {
+        command: command_line(arguments),
+        machine: machine::describe(),
+        scenes: reports,
+        ladders,
+        checks,
+        programs,
+        max_error: arguments.max_error,
+        absent,
+    };
     let mut outputs = Outputs::new(&arguments.picture.options.out);
     for file in report.files()? {
         outputs.add(&file.name, file.text.into_bytes());
@@ -100,13 +114,16 @@ fn command_line(arguments: &args::Report) -> String {
     if arguments.seconds != args::Report::SECONDS {
         line.push_str(&format!(" --seconds {}", arguments.seconds));
     }
+    if let Some(most) = arguments.max_error {
+        line.push_str(&format!(" --max-error {most}"));
+    }
     line
 }
 
 /// On standard error, and only where that is a terminal.
 struct Bar {
     bar: ProgressBar,
-    /// Scenes that are done.
+    /// Scenes that are done; the ladder is as long as one.
     done: AtomicU64,
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use halfplane::{DrawError, RegionError, StorageError};
+use halfplane::{DrawError, OutsideGuardBand, RegionError, StorageError};
 use halfplane_measure::target::TargetError;
 use halfplane_reference::{ModelError, SceneError, VerifyError};
 
@@ -11,6 +11,8 @@ use halfplane_reference::{ModelError, SceneError, VerifyError};
 pub enum ReportError {
     /// A scene's size is none a target can have.
     Region(RegionError),
+    /// A vertex of the ladder is none that a window has.
+    Vertex(OutsideGuardBand),
     /// The rasterizer refused its memory or a draw.
     Target(TargetError),
     /// The reference refused the scene.
@@ -39,6 +41,7 @@ impl fmt::Display for ReportError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Region(error) => error.fmt(f),
+            Self::Vertex(error) => error.fmt(f),
             Self::Target(error) => error.fmt(f),
             Self::Reference(error) => error.fmt(f),
             Self::Model(error) => error.fmt(f),
@@ -67,6 +70,7 @@ macro_rules! from {
 
 from! {
     RegionError => Region,
+    OutsideGuardBand => Vertex,
     TargetError => Target,
     StorageError => Target,
     DrawError => Target,

@@ -9,6 +9,10 @@
 //! | [`textbook`], [`doubles`] | what textbooks do instead, written for the comparison |
 //! | [`formats`], [`plain`], [`vector`] | frames of this crate in every form that is compared |
 //! | [`row`], [`pareto`], [`statistics`] | what is measured, and which of it nothing else beats |
+//! | [`judge`] | all depth planes against the exact one |
+//! | [`stiffness`] | triangles whose conditioning worsens by powers of two, orders and symmetries, accumulation |
+//! | [`savings`], [`recommendation`] | what a scene did not need, and what to take for it |
+//! | [`leaving_out`] | what a program does not have when it does not ask for it |
 //! | [`run`] | a scene from its truth to its rows |
 //! | [`page`], [`plots`] | the page, its tables and plots, CSV and the terminal's summary |
 //!
@@ -20,15 +24,20 @@ pub mod choices;
 pub mod doubles;
 pub mod error;
 pub mod formats;
+pub mod judge;
+pub mod leaving_out;
 pub mod page;
 pub mod pareto;
 pub mod plain;
 pub mod plots;
+pub mod recommendation;
 pub mod row;
 pub mod run;
+pub mod savings;
 pub mod scene;
 pub mod snapped;
 pub mod statistics;
+pub mod stiffness;
 pub mod textbook;
 pub mod truth;
 pub mod vector;

@@ -12,6 +12,7 @@ use halfplane_reference::unsnapped;
 use crate::choices;
 use crate::error::ReportError;
 use crate::row::{Answer, Entry};
+use crate::savings::{Saving, savings};
 use crate::scene::Scene;
 use crate::truth::Truth;
 
@@ -46,6 +47,8 @@ pub struct SceneReport {
     pub decided_in_integers: u64,
     /// The clear of 1280x720 numbers of 32 bits: what tells machines apart.
     pub clear: Summary,
+    /// What it did not need.
+    pub savings: Vec<Saving>,
     /// The answers.
     pub answers: Vec<Answer>,
     /// How long all of this took, in seconds.
@@ -99,6 +102,10 @@ pub fn scene(scene: &Scene, limit: Duration, progress: &dyn Progress) -> Result<
             id if id == choices::ANTIALIASING.id => (scene, choices::antialiasing(scene, &truth)?),
             id if id == choices::LEVELS.id => (scene, choices::levels(scene, &truth, &prepared)?),
             id if id == choices::FORMAT.id => (&small, choices::format(&small, &small_truth.ids)?),
+            id if id == choices::CONFIGURATIONS.id => {
+                (scene, choices::configurations(scene, &truth, &prepared)?)
+            }
+            id if id == choices::ABLATION.id => (scene, choices::ablation(scene, &small, &truth, &prepared)?),
             _ => (scene, choices::peers(scene, &truth)?),
         };
         asked.push((Answer { question: *question, size: of.dimensions(), rows: Vec::new() }, found.len()));
@@ -119,6 +126,7 @@ pub fn scene(scene: &Scene, limit: Duration, progress: &dyn Progress) -> Result<
         statistics,
         decided_in_integers: truth.unsnapped.decided_in_integers,
         clear,
+        savings: savings(scene)?,
         answers,
         seconds: started.elapsed().as_secs_f64(),
     })

@@ -1,8 +1,12 @@
 //! The tables as CSV: one file for each question, a row for each choice of each scene.
 
-use super::{File, Report};
+use super::{File, Report, ladder};
+use crate::leaving_out::Program;
 use crate::row::{Answer, Column, Question};
 use crate::run::SceneReport;
+use crate::savings::Saving;
+use crate::stiffness::Ladder;
+use crate::stiffness::checks::Check;
 
 /// The files of all questions that are answered.
 pub(super) fn files(report: &Report) -> Vec<File> {
@@ -12,7 +16,18 @@ pub(super) fn files(report: &Report) -> Vec<File> {
             questions.push(answer.question);
         }
     }
-    questions.iter().map(|question| of_question(report, question)).collect()
+    let mut files: Vec<File> = questions.iter().map(|question| of_question(report, question)).collect();
+    files.push(of_savings(report));
+    if !report.ladders.is_empty() {
+        files.push(of_ladders(&report.ladders));
+    }
+    if !report.checks.is_empty() {
+        files.push(of_checks(&report.checks));
+    }
+    if let Ok(programs) = &report.programs {
+        files.push(of_programs(programs));
+    }
+    files
 }
 
 fn of_question(report: &Report, question: &Question) -> File {
@@ -23,6 +38,68 @@ fn of_question(report: &Report, question: &Question) -> File {
         }
     }
     File { name: format!("{}.csv", question.id), text: text(&rows) }
+}
+
+fn of_ladders(ladders: &[Ladder]) -> File {
+    let columns = ladder::COLUMNS.map(|column| name(&Column::new(column, "")));
+    let mut rows = vec![std::iter::once("family".to_owned()).chain(columns).collect::<Vec<_>>()];
+    for of in ladders {
+        for step in &of.steps {
+            let numbers = ladder::numbers(step).map(|number| number.to_string());
+            rows.push(std::iter::once(of.id.to_owned()).chain(numbers).collect());
+        }
+    }
+    File { name: "stiffness.csv".to_owned(), text: text(&rows) }
+}
+
+fn of_checks(checks: &[Check]) -> File {
+    let mut rows = vec![["check", "compared", "unit", "differences"].map(str::to_owned).to_vec()];
+    for check in checks {
+        let (compared, differences) = (check.compared.to_string(), check.differences.to_string());
+        rows.push(vec![check.name.to_owned(), compared, check.unit.to_owned(), differences]);
+    }
+    File { name: "checks.csv".to_owned(), text: text(&rows) }
+}
+
+fn of_savings(report: &Report) -> File {
+    let mut rows = vec![["scene", "size", "saved", "number", "of", "unit"].map(str::to_owned).to_vec()];
+    for scene in &report.scenes {
+        for Saving { name, saved, of, unit } in &scene.savings {
+            let (size, numbers) =
+                (format!("{}x{}", scene.size.0, scene.size.1), [saved, of].map(u64::to_string));
+            let [saved, of] = numbers;
+            rows.push(vec![scene.name.clone(), size, (*name).to_owned(), saved, of, (*unit).to_owned()]);
+        }
+    }
+    File { name: "savings.csv".to_owned(), text: text(&rows) }
+}
+
+fn of_programs(programs: &[Program]) -> File {
+    let heading = [
+        "program",
+        "has",
+        "target",
+        "code_bytes",
+        "constant_bytes",
+        "static_bytes",
+        "instructions",
+        "divisions",
+        "of_floats",
+        "in_vector_registers",
+        "largest_frame_bytes",
+        "helpers",
+    ];
+    let mut rows = vec![heading.map(str::to_owned).to_vec()];
+    for program in programs {
+        let sizes = [program.code, program.constants, program.statics].map(|size| size.to_string());
+        let counts = program.instructions.map(|of| [of.total, of.divisions, of.floats, of.vectors, of.frame]);
+        let mut row = vec![program.name.to_owned(), program.what.to_owned(), program.target.clone()];
+        row.extend(sizes);
+        row.extend((0..5).map(|k| counts.map_or(String::new(), |counts| counts[k].to_string())));
+        row.push(program.helpers.join(" "));
+        rows.push(row);
+    }
+    File { name: "programs.csv".to_owned(), text: text(&rows) }
 }
 
 fn heading(question: &Question) -> Vec<String> {
@@ -91,7 +168,9 @@ mod tests {
     fn every_row_is_there_with_its_numbers() {
         let report = super::super::tests::report();
         let files = files(&report);
-        assert_eq!(files.len(), 1);
+        assert_eq!(files.len(), 5);
+        assert!(files[2].text.starts_with("family,k,samples,wrong_samples,"), "{}", files[2].text);
+        assert!(files[2].text.contains("\nneedles,4,9,0,3,1,0,1.01,0.25,"), "{}", files[2].text);
         let mut reader = csv::Reader::from_reader(files[0].text.as_bytes());
         let headings: Vec<_> = reader.headers().unwrap().iter().map(str::to_owned).collect();
         assert_eq!(headings[5..7], ["wrong_pixels_px", "largest_2_to_minus_32"]);

@@ -3,11 +3,14 @@
 use std::fmt::Write as _;
 
 use super::Report;
+use super::absent;
 use super::answer;
+use super::ladder;
 use super::numbers::{figure, ms};
 use super::summary;
 use crate::error::ReportError;
 use crate::plots::escaped;
+use crate::recommendation::recommend;
 use crate::run::SceneReport;
 
 const STYLE: &str = include_str!("style.css");
@@ -33,6 +36,10 @@ pub(super) fn page(report: &Report) -> Result<String, ReportError> {
     for (place, scene) in report.scenes.iter().enumerate() {
         html.push_str(&of_scene(scene, place)?);
     }
+    if !report.ladders.is_empty() {
+        html.push_str(&ladder::section(&report.ladders, &report.checks)?);
+    }
+    html.push_str(&absent::programs(&report.programs));
     html.push_str("</main>\n");
     html.push_str(&how(report));
     html.push_str("</body>\n</html>\n");
@@ -43,12 +50,23 @@ pub(super) fn page(report: &Report) -> Result<String, ReportError> {
 fn choose(report: &Report) -> String {
     let mut html = String::from(
         "<section class=\"card\" aria-labelledby=\"choose\">\n<h2 id=\"choose\" style=\"border:0;margin-top:.3em\">Which configuration to \
-         choose</h2>\n<p>For each question, what nothing else beats in both error and time (the Pareto front), from \
-         the fastest to the most exact. Where one line stands alone, there is nothing to weigh: it is the fastest and \
-         the most exact at once.</p>\n",
+         choose</h2>\n<p>The fastest configuration within the error that is allowed, as measured here, and for each question \
+         what nothing else beats in both error and time (the Pareto front), from the fastest to the most exact.</p>\n",
     );
     for scene in &report.scenes {
-        let _ = writeln!(html, "<h4>{}, {}x{}</h4>\n<ul>", escaped(&scene.name), scene.size.0, scene.size.1);
+        let _ = writeln!(html, "<h4>{}, {}x{}</h4>", escaped(&scene.name), scene.size.0, scene.size.1);
+        if let Some(recommended) = recommend(scene, report.max_error) {
+            let text = recommended.text();
+            let (first, rest) = text.split_once('\n').unwrap_or((&text, ""));
+            let _ = writeln!(
+                html,
+                "<p><strong>Take {}</strong>: {}.</p>\n<pre tabindex=\"0\">{}</pre>",
+                escaped(recommended.row.name.as_str()),
+                escaped(first),
+                escaped(rest)
+            );
+        }
+        html.push_str("<details><summary>Front of every question</summary>\n<ul>\n");
         for (answer, front) in summary::fronts(scene) {
             let lines: Vec<String> = front.iter().map(|line| escaped(line)).collect();
             let _ = writeln!(
@@ -58,7 +76,7 @@ fn choose(report: &Report) -> String {
                 lines.join("; then ")
             );
         }
-        html.push_str("</ul>\n");
+        html.push_str("</ul>\n</details>\n");
     }
     html.push_str("</section>\n");
     html
@@ -73,6 +91,10 @@ fn contents(report: &Report) -> String {
     for (place, scene) in report.scenes.iter().enumerate() {
         let _ = writeln!(html, "<li><a href=\"#{}\">{}</a></li>", anchor(place, "top"), escaped(&scene.name));
     }
+    if !report.ladders.is_empty() {
+        html.push_str("<li><a href=\"#stiffness\">Stiffness ladder</a></li>\n");
+    }
+    html.push_str("<li><a href=\"#programs\">What a program does not have</a></li>\n");
     html.push_str("<li><a href=\"#how\">How it was measured</a></li>\n</ul>\n</nav>\n");
     html
 }
@@ -107,6 +129,7 @@ fn of_scene(scene: &SceneReport, place: usize) -> Result<String, ReportError> {
     for answer in &scene.answers {
         html.push_str(&answer::section(answer, &scene.name, &anchor(place, answer.question.id))?);
     }
+    html.push_str(&absent::savings(&scene.savings, &scene.name, &anchor(place, "savings")));
     html.push_str("</section>\n");
     Ok(html)
 }

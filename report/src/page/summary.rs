@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use super::Report;
 use super::numbers::{figure, ms};
+use crate::recommendation::recommend;
 use crate::row::{Answer, Row};
 use crate::run::SceneReport;
 
@@ -40,6 +41,11 @@ pub fn terminal(report: &Report) -> String {
             for line in front {
                 let _ = writeln!(text, "    front: {}", line.replace('\u{2009}', " "));
             }
+        }
+    }
+    for scene in &report.scenes {
+        if let Some(recommended) = recommend(scene, report.max_error) {
+            let _ = writeln!(text, "\nrecommended for {}: {}", scene.name, recommended.text());
         }
     }
     for absent in &report.absent {

@@ -3,6 +3,7 @@
 
 pub mod bars;
 pub mod curves;
+pub mod rungs;
 pub mod scales;
 pub mod scatter;
 pub mod stacks;
