@@ -104,6 +104,9 @@ pub struct Report {
     /// [default: as few as any configuration has]
     #[arg(long, value_name = "PIXELS", value_parser = wrong_pixels, allow_hyphen_values = true)]
     pub max_error: Option<f64>,
+    /// Leave out the linked programs, which need cargo and the sources
+    #[arg(long)]
+    pub no_programs: bool,
     /// Where castle.bin, sponza.bin and their cameras are looked for
     #[arg(long, value_name = "DIR", default_value = "../shared/scenes")]
     pub scenes: PathBuf,

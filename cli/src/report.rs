@@ -35,8 +35,12 @@ pub fn run_report(arguments: &args::Report) -> Result<(), Error> {
     }
     let ladders = stiffness::climb(&bar)?;
     let checks = stiffness::checks::all()?;
-    bar.at("programs", 1.0);
-    let programs = leaving_out::programs();
+    let programs = if arguments.no_programs {
+        Err("left out, as --no-programs asks".to_owned())
+    } else {
+        bar.at("linking programs", 1.0);
+        leaving_out::programs()
+    };
     bar.bar.finish_and_clear();
     let report = Report {
         command: command_line(arguments),

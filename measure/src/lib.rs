@@ -9,7 +9,7 @@
 //! | [`motion`] | a camera that does not stand still |
 //! | [`buffer`] | memory whose place does not change from run to run |
 //! | [`level`] | the vector levels of this machine |
-//! | [`target`] | a mesh and its buffers: the only place that calls the rasterizer's draw for whole meshes |
+//! | [`target`] | a mesh and its buffers, as the command draws them |
 //! | [`view`] | what is drawn, as plain data |
 //! | [`peers`] | other crates on the same triangles |
 

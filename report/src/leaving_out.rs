@@ -160,7 +160,7 @@ fn count(text: &str) -> Instructions {
         found.floats += u64::from(is_float(name));
         found.vectors +=
             u64::from(operands.contains("%xmm") || operands.contains("%ymm") || operands.contains("%zmm"));
-        if plain == "sub"
+        if matches!(name, "sub" | "subq")
             && let Some(bytes) = operands.strip_prefix("$0x").and_then(|rest| rest.strip_suffix(",%rsp"))
             && let Ok(bytes) = u64::from_str_radix(bytes, 16)
         {

@@ -1,5 +1,5 @@
-//! A mesh and the buffers it is drawn into, as often as wanted: the only place that calls the
-//! rasterizer's draw, whole or by its stages. The command and all measurements go through it.
+//! A mesh and the buffers it is drawn into, as often as wanted: where the rasterizer's draw is called, whole or by
+//! its stages. The command and the measurements of whole scenes go through it.
 
 mod attachments;
 mod buffers;
