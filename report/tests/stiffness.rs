@@ -4,9 +4,6 @@
 use halfplane_report::stiffness::judged::{Judged, judge};
 use halfplane_report::stiffness::{Promise, checks, families};
 
-/// Of the textbooks' planes in units of 2^-32: what an error of theirs must exceed to show that the ladder bites.
-const LOST: f64 = 65_536.0;
-
 fn judged(id: &str) -> Vec<(i32, Judged)> {
     let families = families();
     let family = families.iter().find(|family| family.id == id).unwrap();
@@ -23,9 +20,9 @@ fn every_rung_is_within_the_contract() {
             if family.promise != Promise::Measured {
                 assert_eq!(judged.wrong[0], 0, "{at}");
             }
-            // G5, and for 16 bits: the vertices' rounding is half a unit more.
+            // G5, and for 16 bits: vertices are moved by two units at most, into 2..=65533.
             assert!(ours32.largest <= 1.01, "{at}");
-            assert!(ours16.largest <= 1.51 * 65_537.0, "{at}");
+            assert!(ours16.largest <= 3.01 * 65_537.0, "{at}");
             assert!(rational.largest <= 0.5, "{at}");
         }
     }
@@ -35,26 +32,38 @@ fn every_rung_is_within_the_contract() {
 fn every_family_has_samples_on_most_rungs() {
     for family in families() {
         let rungs: Vec<_> = family.rungs.iter().map(|rung| judge(rung).unwrap()).collect();
-        let seen = rungs.iter().filter(|judged| judged.samples >= 8).count();
-        assert!(seen * 10 >= rungs.len() * 9, "{}: {seen} of {}", family.id, rungs.len());
+        let seen = rungs.iter().filter(|judged| judged.samples >= 4).count();
+        assert!(seen == rungs.len(), "{}: {seen} of {}", family.id, rungs.len());
     }
 }
 
 #[test]
 fn textbook_planes_come_off() {
-    for (id, plane) in [("needles", 2), ("slats", 2), ("steep-depth", 3), ("far-corners", 2), ("missed", 2)] {
+    // The plane's place among the errors: 2 barycentric, 3 gradient, both in f32.
+    for (id, plane) in
+        [("needles", 2), ("needles", 3), ("slats", 3), ("collinear", 3), ("fans", 2), ("fans", 3)]
+    {
         let rungs = judged(id);
-        let (first, last) =
-            (rungs.first().unwrap().1.depth[plane].largest, rungs.last().unwrap().1.depth[plane].largest);
-        assert!(last > LOST || last > 8.0 * first, "{id}: from {first} to {last}");
+        let largest = |of: &(i32, Judged)| of.1.depth[plane].largest;
+        let (first, last) = (largest(&rungs[0]), largest(&rungs[rungs.len() - 1]));
+        assert!(last > 8.0 * first && last > 1000.0, "{id}: from {first} to {last}");
     }
 }
 
 #[test]
 fn textbook_edges_come_off() {
-    for id in ["missed", "needles", "scales", "near-plane"] {
+    for id in ["missed", "w-ratios", "scales", "distant"] {
         let wrong: u64 = judged(id).iter().map(|(_, judged)| judged.wrong[1]).sum();
         assert!(wrong > 0, "{id}");
+    }
+}
+
+/// What is only measured stays small where floats keep the vertices: the cut at the near plane moves no sample
+/// that is farther than a step from it.
+#[test]
+fn the_near_plane_moves_few_samples() {
+    for (k, judged) in judged("near-plane") {
+        assert!(judged.wrong[0] * 200 <= judged.samples, "k = {k}: {judged:?}");
     }
 }
 

@@ -54,7 +54,7 @@ fn choose(report: &Report) -> String {
          what nothing else beats in both error and time (the Pareto front), from the fastest to the most exact.</p>\n",
     );
     for scene in &report.scenes {
-        let _ = writeln!(html, "<h4>{}, {}x{}</h4>", escaped(&scene.name), scene.size.0, scene.size.1);
+        let _ = writeln!(html, "<h3>{}, {}x{}</h3>", escaped(&scene.name), scene.size.0, scene.size.1);
         if let Some(recommended) = recommend(scene, report.max_error) {
             let text = recommended.text();
             let (first, rest) = text.split_once('\n').unwrap_or((&text, ""));

@@ -78,7 +78,10 @@ pub fn draw(title: &str, axes: [&str; 2], dots: &[Dot], place: Place) -> Result<
         for &(dot, px, py) in &placed {
             let colour = Role::Series(dot.colour).stand_in();
             if let [Some(from), Some(to)] = dot.spread.map(|time| x.at(time)) {
-                root.draw(&PathElement::new([(from, py), (to, py)], colour.stroke_width(2)))?;
+                root.draw(&PathElement::new([(from, py), (to, py)], colour.stroke_width(1)))?;
+                for end in [from, to] {
+                    root.draw(&PathElement::new([(end, py - 3), (end, py + 3)], colour))?;
+                }
             }
             root.draw(&Circle::new((px, py), RADIUS, Role::Paper.stand_in().filled()))?;
             let width = if dot.front { 4 } else { 2 };

@@ -7,7 +7,7 @@ const SIZE: (u32, u32) = (64, 64);
 /// All families of clip-space triangles.
 #[must_use]
 pub fn families() -> Vec<Family> {
-    vec![ratios(), near(), scales(), distant()]
+    vec![ratios(), near(), scales(), denormal(), distant()]
 }
 
 /// Window places in 1/4 px off the samples' rows and columns, in normalised device coordinates: exact.
@@ -67,22 +67,32 @@ fn ratios() -> Family {
 }
 
 fn near() -> Family {
-    let about = "One corner 2^-k before the near plane, one as much behind it, one far behind.";
-    family(["near-plane", "At the near plane", about], Promise::Samples, 1..=23, |k| {
+    let about = "One corner 2^-k before the near plane, one as much behind it, one far behind. The corners that the cut \
+                 makes are snapped as all are.";
+    family(["near-plane", "At the near plane", about], Promise::Measured, 1..=23, |k| {
         (with_w([1.0 - power(-k), 1.0 + power(-k), 8.0]), PERSPECTIVE)
     })
 }
 
+/// All clip coordinates times 2^k.
+fn scaled(k: i32) -> (Vec<[f32; 3]>, [f32; 16]) {
+    let positions = with_w([1.0; 3]).into_iter().map(|[x, y, _]| [x, y, 0.5]).collect();
+    let mut matrix = [0.0; 16];
+    (0..4).for_each(|diagonal| matrix[5 * diagonal] = power(k));
+    (positions, matrix)
+}
+
 fn scales() -> Family {
     let about =
-        "All clip coordinates times 2^k: denormal numbers at the one end, nearly infinite ones at the other.";
-    let exponents = [-134, -126, -110, -96, -64, -32, 0, 32, 64, 96, 110, 120, 126];
-    family(["scales", "Denormal and huge", about], Promise::Samples, exponents.into_iter(), |k| {
-        let positions = with_w([1.0; 3]).into_iter().map(|[x, y, _]| [x, y, 0.5]).collect();
-        let mut matrix = [0.0; 16];
-        (0..4).for_each(|diagonal| matrix[5 * diagonal] = power(k));
-        (positions, matrix)
-    })
+        "All clip coordinates times 2^k: x, y and z denormal at the one end, nearly infinite at the other.";
+    let exponents = [-126, -110, -96, -64, -32, 0, 32, 64, 96, 110, 120, 126];
+    family(["scales", "Tiny and huge", about], Promise::Samples, exponents.into_iter(), scaled)
+}
+
+fn denormal() -> Family {
+    let about =
+        "The same with a denormal w: nearer to the eye than 2^-126 counts as behind it, so nothing is drawn.";
+    family(["denormal", "Denormal w", about], Promise::Measured, -134..=-127, scaled)
 }
 
 fn distant() -> Family {

@@ -123,16 +123,18 @@ fn tiny() -> Family {
 
 /// Three triangles at each sample: a long edge through it, and one that misses it by one unit on either side.
 fn missed() -> Family {
-    let about = "An edge of length 2^k steps whose value at a sample is 0, 1 and -1 square steps: the least there is.";
+    let about =
+        "An edge of 2^k steps whose value at a sample is 0, 1 and -1 square steps: the least there is.";
     family("missed", "Edges through samples", about, 4..=22, |k| {
+        // The direction (long, wide) is primitive, and (long/2 - 1, long/4) lies at the least distance from it:
+        // long (long/4) - wide (long/2 - 1) = 1.
         let long = 1 << k;
+        let wide = long / 2 + 1;
         let shape = |(number, [x, y]): (i32, [i32; 2])| {
-            // Direction (long, 1): moving the edge by one step along x changes the value by one.
             let edge = |by: i32| {
-                let (from, to) = ([x + by - long, y - 1], [x + by + long, y + 1]);
-                let third = [x, y + 64];
-                // Depths of a size that the far corners of the longest edges keep apart.
-                ([from, to, third].map(clamped), depths(number))
+                let (u, v) = (by * (long / 2 - 1), by * (long / 4));
+                let (from, to) = ([x - long + u, y - wide + v], [x + long + u, y + wide + v]);
+                ([from, to, [x, y + 64]].map(clamped), depths(number))
             };
             [edge(0), edge(1), edge(-1)]
         };
