@@ -1,5 +1,5 @@
 //! The parts of a frame of the built-in scene. Each of `setup`, `traverse` and the draws holds the work
-//! of those before it, so differences are what a part costs (see `halfplane_cli::target::Stage`); `frame` is everything.
+//! of those before it, so differences are what a part costs (see `halfplane_measure::target::Stage`); `frame` is everything.
 
 use std::time::Duration;
 

@@ -21,17 +21,15 @@
 
 #![forbid(unsafe_code)]
 
-// Shared with the command `bench`, so that its numbers and these mean the same.
-pub use halfplane_cli::measure::{buffer, limits, protocol};
+// Shared with the command, so that its numbers and these mean the same.
+pub use halfplane_measure::{buffer, limits, machine, peers, protocol};
+pub use halfplane_report::plots;
 
 pub mod breakdown;
 pub mod contest;
 pub mod document;
-pub mod machine;
 pub mod options;
 pub mod ours;
-pub mod peers;
-pub mod plots;
 pub mod quoted;
 pub mod record;
 pub mod report;

@@ -1,13 +1,12 @@
-//! The rasterizer, as the command draws with it (`halfplane_cli::target`), on views.
+//! The rasterizer, as the command draws with it (`halfplane_measure::target`), on views.
 
 use std::sync::Arc;
 
 use halfplane::{Cull, Region, State};
 use halfplane_cli::mesh::Mesh;
-use halfplane_cli::render::RenderError;
 
-pub use halfplane_cli::level::{Level, available, is_fallback};
-pub use halfplane_cli::target::{Attachments, Preparation, Prepared, Stage, Target};
+pub use halfplane_measure::level::{Level, available, is_fallback};
+pub use halfplane_measure::target::{Attachments, Preparation, Prepared, Stage, Target, TargetError};
 
 use crate::scenes::View;
 
@@ -83,14 +82,15 @@ impl Last {
 ///
 /// If it did.
 #[inline]
-pub fn drawn<T>(result: Result<T, RenderError>) -> T {
+pub fn drawn<T>(result: Result<T, TargetError>) -> T {
     result.expect("views have indices that exist and targets have memory")
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenes::micro;
+    use crate::peers::{self, visible::Visible};
+    use crate::scenes::{growth, micro};
 
     #[test]
     fn every_level_draws_the_same_picture() {
@@ -131,5 +131,37 @@ mod tests {
         assert_eq!(from_name(fastest().name()).map(Level::name), Some(fastest().name()));
         assert!(from_name("fallback").is_some_and(is_fallback));
         assert!(from_name("scalar").is_none());
+    }
+
+    /// Who draws nothing is fast.
+    #[test]
+    fn every_peer_covers_about_what_we_cover() {
+        let views = [
+            growth::view(1000, (320, 180)),
+            micro::random("test", 100, 40.0, (320, 180)),
+            micro::fullscreen("test", 2, false, (320, 180)),
+        ];
+        for view in &views {
+            let visible = Visible::new(&view.plain());
+            let ours = |indices: &[u32]| {
+                let mut target = with_indices(view, indices);
+                drawn(target.frame(Level::FALLBACK, Attachments::Depth32, &view.matrix));
+                target.covered(Attachments::Depth32) as f64
+            };
+            for mut peer in peers::all(&view.plain(), &visible) {
+                peer.frame(&view.matrix);
+                peer.frame(&view.matrix);
+                let expected = ours(if peer.moves() { &view.mesh.indices } else { &visible.indices });
+                let covered = peer.covered() as f64;
+                // embedded-graphics covers what an outline touches.
+                let allowed = if peer.name() == "embedded-graphics" { 0.25 } else { 0.02 };
+                assert!(
+                    (covered - expected).abs() <= allowed * expected,
+                    "{} on {}: {covered}, not {expected}",
+                    peer.name(),
+                    view.name
+                );
+            }
+        }
     }
 }

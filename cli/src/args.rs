@@ -8,6 +8,7 @@ use halfplane::{Cull, Format, Standard, Winding};
 
 use crate::camera::{self, Matrix};
 use crate::level::{self, Level};
+use crate::target;
 
 /// An exact triangle rasterizer: renders depth and visibility buffers, and checks every pixel.
 ///
@@ -44,6 +45,13 @@ pub enum Command {
     /// the vertex stage alone. "clears" are minima over that of the clear: a measure that can be compared
     /// between machines. Nothing is written to files.
     Bench(Bench),
+    /// Measure error against run time of every choice: one page, its plots, and the same numbers as CSV
+    ///
+    /// For the built-in scene, and for Castle and Sponza where they are, or for FILE alone: sub-pixel bits, depth
+    /// planes, the transform's floats, samples for each pixel, vector levels, formats, other crates. Errors are
+    /// against the exact reference; times are taken in turns in one run, on one thread. Writes index.html and *.csv.
+    /// Levels, meshlets and depth formats are all measured, whatever the options for them say.
+    Report(Report),
     /// Conformance kits: the TRIQUERY protocol from stdin to stdout, which samples are covered
     Coverage,
     /// Conformance kits: the TRIDEPTH protocol from stdin to stdout, the depth of every pixel
@@ -83,8 +91,34 @@ pub struct Bench {
     pub json: bool,
 }
 
-/// How to draw a mesh.
+/// What is reported on.
 #[derive(Debug, Args)]
+pub struct Report {
+    /// What is drawn.
+    #[command(flatten)]
+    pub picture: Picture,
+    /// Time for each row, at most; never fewer than 3 frames
+    #[arg(long, value_name = "S", default_value_t = Self::SECONDS, value_parser = seconds, allow_hyphen_values = true)]
+    pub seconds: f64,
+    /// Wrong pixels that the recommended configuration may have, against the picture without any rounding
+    /// [default: as few as any configuration has]
+    #[arg(long, value_name = "PIXELS", value_parser = wrong_pixels, allow_hyphen_values = true)]
+    pub max_error: Option<f64>,
+    /// Leave out the linked programs, which need cargo and the sources
+    #[arg(long)]
+    pub no_programs: bool,
+    /// Where castle.bin, sponza.bin and their cameras are looked for
+    #[arg(long, value_name = "DIR", default_value = "../shared/scenes")]
+    pub scenes: PathBuf,
+}
+
+impl Report {
+    /// `--seconds`, if it is not given.
+    pub const SECONDS: f64 = 0.25;
+}
+
+/// How to draw a mesh.
+#[derive(Debug, Clone, Args)]
 pub struct Options {
     /// Width and height of the picture in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = size)]
@@ -189,6 +223,33 @@ pub enum FrontArg {
 }
 
 impl Options {
+    /// `--size`, if it is not given.
+    pub const DEFAULT_SIZE: (u32, u32) = (1280, 720);
+
+    /// All as if it were not given, but the size.
+    #[must_use]
+    pub fn of_size(size: (u32, u32)) -> Self {
+        Self {
+            size,
+            camera: None,
+            eye: None,
+            target: None,
+            up: None,
+            fov: None,
+            near: None,
+            far: None,
+            matrix: None,
+            depth: DepthFormat::D32,
+            cull: None,
+            front: None,
+            level: Level::detect(),
+            meshlets: false,
+            out: PathBuf::from("out"),
+            zoom: 1,
+            raw: false,
+        }
+    }
+
     /// The part that asks for a camera.
     #[must_use]
     pub fn camera_request(&self) -> camera::Request {
@@ -217,6 +278,20 @@ impl DepthFormat {
 }
 
 impl Attachments {
+    /// What a frame then writes.
+    #[must_use]
+    pub const fn in_format(self, depth: DepthFormat) -> target::Attachments {
+        use DepthFormat::{D16, D32};
+        match (self, depth) {
+            (Self::Depth, D32) => target::Attachments::Depth32,
+            (Self::Depth, D16) => target::Attachments::Depth16,
+            (Self::DepthIds, D32) => target::Attachments::DepthIds32,
+            (Self::DepthIds, D16) => target::Attachments::DepthIds16,
+            (Self::Ids, _) => target::Attachments::Ids,
+            (Self::Coverage, _) => target::Attachments::Coverage,
+        }
+    }
+
     /// Its name on the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -281,6 +356,16 @@ fn matrix(text: &str) -> Result<Matrix, String> {
 fn field_of_view(text: &str) -> Result<f64, String> {
     let fov = text.parse().ok().filter(|fov| (0.1..=179.0).contains(fov));
     fov.ok_or_else(|| "it must be an angle from 0.1 to 179 degrees".to_owned())
+}
+
+fn wrong_pixels(text: &str) -> Result<f64, String> {
+    let pixels = text.parse().ok().filter(|pixels: &f64| *pixels >= 0.0);
+    pixels.ok_or_else(|| "it must be a number of pixels, 0 or more".to_owned())
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    let seconds = text.parse().ok().filter(|s: &f64| (0.0..=3600.0).contains(s));
+    seconds.ok_or_else(|| "it must be a number of seconds from 0 to 3600".to_owned())
 }
 
 fn distance(text: &str) -> Result<f64, String> {

@@ -148,7 +148,8 @@ impl Subject {
 
     /// The meshlets, if they are asked for.
     pub(crate) fn prepare(&self, options: &Options) -> Result<Option<Prepared>, RenderError> {
-        options.meshlets.then(|| Prepared::new(&self.mesh.positions, &self.mesh.indices)).transpose()
+        let mesh = &self.mesh;
+        Ok(options.meshlets.then(|| Prepared::new(&mesh.positions, &mesh.indices)).transpose()?)
     }
 }
 

@@ -2,11 +2,14 @@
 
 use std::fmt;
 
+use halfplane_report::ReportError;
+
 use crate::camera::CameraError;
 use crate::load::LoadError;
 use crate::output::OutputError;
 use crate::protocol::ProtocolError;
 use crate::render::RenderError;
+use crate::target::TargetError;
 
 /// Any failure of a command. Its `Display` is one line: what, where, and what would be right.
 #[derive(Debug)]
@@ -21,6 +24,8 @@ pub enum Error {
     Render(RenderError),
     /// A protocol's standard input or output failed.
     Protocol(ProtocolError),
+    /// There is no report.
+    Report(ReportError),
     /// A result could not be written.
     Output(OutputError),
 }
@@ -45,6 +50,7 @@ impl fmt::Display for Error {
             Self::Camera(error) => error.fmt(f),
             Self::Render(error) => error.fmt(f),
             Self::Protocol(error) => error.fmt(f),
+            Self::Report(error) => error.fmt(f),
             Self::Output(error) => error.fmt(f),
         }
     }
@@ -67,5 +73,12 @@ from! {
     CameraError => Camera,
     RenderError => Render,
     ProtocolError => Protocol,
+    ReportError => Report,
     OutputError => Output,
+}
+
+impl From<TargetError> for Error {
+    fn from(error: TargetError) -> Self {
+        Self::Render(error.into())
+    }
 }

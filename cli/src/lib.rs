@@ -11,6 +11,7 @@
 //! | [`picture`] | depth and ids to pictures |
 //! | [`verify`] | depth and ids against the reference |
 //! | [`measure`], [`mod@bench`] | times of frames, beside the machine's limits |
+//! | [`report`] | error against run time, as a page |
 //! | [`protocol`] | the doors for conformance kits |
 //! | [`output`] | files, whole or not at all |
 //! | [`command`] | all of that, in order |
@@ -22,17 +23,17 @@ pub mod bench;
 pub mod camera;
 pub mod command;
 pub mod error;
-pub mod level;
 pub mod load;
-pub mod measure;
 pub mod mesh;
 pub mod output;
 pub mod picture;
 pub mod protocol;
 pub mod render;
+pub mod report;
 pub mod scene;
-pub mod target;
 pub mod verify;
+
+pub use halfplane_measure::{self as measure, level, target};
 
 use std::ffi::OsString;
 use std::io::{self, BufWriter, Write};
@@ -75,6 +76,7 @@ fn execute(cli: Cli) -> Result<bool, Error> {
             return command::run_verify(picture.file.as_deref(), &picture.options);
         }
         Some(Command::Bench(arguments)) => bench::run_bench(&arguments)?,
+        Some(Command::Report(arguments)) => report::run_report(&arguments)?,
         Some(Command::Coverage) => protocol::coverage(io::stdin().lock(), output())?,
         Some(Command::Depth) => protocol::depth(io::stdin().lock(), output())?,
     }

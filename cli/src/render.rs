@@ -4,12 +4,13 @@ use std::fmt;
 
 use halfplane::simd::MeshletError;
 use halfplane::{Cull, DrawError, Region, RegionError, Standard, State, Statistics, StorageError, Winding};
+pub use halfplane_measure::clip;
 
 use crate::args;
 use crate::camera::Matrix;
 use crate::level::Level;
 use crate::mesh::Mesh;
-use crate::target::{Attachments, Prepared, Target};
+use crate::target::{Prepared, Target, TargetError};
 
 /// What one picture is drawn with.
 #[derive(Debug, Clone, Copy)]
@@ -48,12 +49,8 @@ pub struct Picture {
 pub enum RenderError {
     /// The size is none a target can have.
     Region(RegionError),
-    /// The rasterizer refused its storage.
-    Storage(StorageError),
-    /// The rasterizer refused to make meshlets.
-    Meshlets(MeshletError),
-    /// The rasterizer refused the draw.
-    Draw(DrawError),
+    /// The rasterizer refused its storage, the meshlets or the draw.
+    Target(TargetError),
     /// The reference refused the scene.
     Verify(halfplane_reference::VerifyError),
 }
@@ -64,13 +61,6 @@ impl Settings {
     pub fn state(&self) -> State<Standard> {
         State { cull: self.cull, front: self.front, ..State::new(self.region) }
     }
-}
-
-/// A position in clip space: x m0 + y m1 + z m2 + m3, from left to right in `f32`, so that the bits are the
-/// same everywhere.
-#[must_use]
-pub fn clip([x, y, z]: [f32; 3], m: &Matrix) -> [f32; 4] {
-    std::array::from_fn(|k| x * m[k] + y * m[4 + k] + z * m[8 + k] + m[12 + k])
 }
 
 /// The [`clip`] of all positions of a mesh.
@@ -90,7 +80,7 @@ pub fn render(
     settings: &Settings,
     prepared: Option<&Prepared>,
 ) -> Result<Picture, RenderError> {
-    let attachments = Attachments::of(args::Attachments::DepthIds, settings.depth);
+    let attachments = args::Attachments::DepthIds.in_format(settings.depth);
     let mut target = Target::new(&mesh.positions, &mesh.indices, &settings.state())?;
     target.set_meshlets(prepared.map(Prepared::meshlets));
     let statistics = target.frame(settings.level, attachments, matrix)?;
@@ -116,9 +106,7 @@ impl fmt::Display for RenderError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Region(error) => error.fmt(f),
-            Self::Storage(error) => error.fmt(f),
-            Self::Meshlets(error) => error.fmt(f),
-            Self::Draw(error) => error.fmt(f),
+            Self::Target(error) => error.fmt(f),
             Self::Verify(error) => error.fmt(f),
         }
     }
@@ -132,23 +120,17 @@ impl From<RegionError> for RenderError {
     }
 }
 
-impl From<StorageError> for RenderError {
-    fn from(error: StorageError) -> Self {
-        Self::Storage(error)
-    }
+macro_rules! from_target {
+    ($($source:ty),+) => {
+        $(impl From<$source> for RenderError {
+            fn from(error: $source) -> Self {
+                Self::Target(error.into())
+            }
+        })+
+    };
 }
 
-impl From<MeshletError> for RenderError {
-    fn from(error: MeshletError) -> Self {
-        Self::Meshlets(error)
-    }
-}
-
-impl From<DrawError> for RenderError {
-    fn from(error: DrawError) -> Self {
-        Self::Draw(error)
-    }
-}
+from_target!(TargetError, StorageError, MeshletError, DrawError);
 
 impl From<halfplane_reference::VerifyError> for RenderError {
     fn from(error: halfplane_reference::VerifyError) -> Self {

@@ -10,10 +10,11 @@
 //! | level | what | arithmetic |
 //! |---|---|---|
 //! | [`covers`], [`weights_at`], [`depth_at`], [`covered_area`] | the definitions | rationals |
-//! | [`clip`], [`to_window`], [`snap`], [`unorm`] | the exact transform | rationals |
+//! | [`to_clip`], [`clip`], [`to_window`], [`snap`], [`unorm`] | the exact transform | rationals |
 //! | [`specified_depth`] | the definition of a stored depth | unbounded integers |
 //! | [`cover_rows`], [`ExactPlane`], [`Fraction`], [`SpecifiedPlane`] | the same answers, fast | `i128`, ranges stated and checked |
 //! | [`render`], [`verify`], [`cover_count_picture`] | whole scenes by brute force | the fast level |
+//! | [`unsnapped()`] | a model without any rounding, whole pictures | `f64` with bounds, unbounded integers where they do not decide |
 //!
 //! The fast level is tested against the definitions by the property tests of this crate.
 //!
@@ -51,6 +52,7 @@ mod scene;
 mod spans;
 mod specified;
 mod transform;
+mod unsnapped;
 mod verify;
 
 pub use area::covered_area;
@@ -64,5 +66,6 @@ pub use report::{Difference, Mismatches, Outcome, Report};
 pub use scene::{Compare, MAX_SIDE, NO_ID, Scene, SceneError, SceneTriangle};
 pub use spans::{cover_count_picture, cover_counts, cover_rows};
 pub use specified::{DepthSpec, DepthSpecError, SpecifiedPlane, specified_depth, z16_from_z32};
-pub use transform::{ClipError, Planes, Viewport, WindowPoint, clip, snap, to_window, unorm};
+pub use transform::{ClipError, Planes, Viewport, WindowPoint, clip, snap, to_clip, to_window, unorm};
+pub use unsnapped::{Model, ModelError, Unsnapped, unsnapped};
 pub use verify::{VerifyError, verify};

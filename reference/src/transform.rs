@@ -91,6 +91,20 @@ fn cut(polygon: &[[Rational; 4]], inside: impl Fn(&[Rational; 4]) -> Rational) -
     kept
 }
 
+/// The exact clip-space place of a position: `[x y z 1] M`, M row by row. `None` where a number is not finite.
+pub fn to_clip(position: [f32; 3], matrix: &[f32; 16]) -> Option<[Rational; 4]> {
+    let [x, y, z] = position;
+    let point = [from_f32(x)?, from_f32(y)?, from_f32(z)?, from_f32(1.0)?];
+    let column = |k: usize| {
+        let mut sum = Rational::zero();
+        for (row, coordinate) in point.iter().enumerate() {
+            sum += coordinate * from_f32(matrix[4 * row + k])?;
+        }
+        Some(sum)
+    };
+    Some([column(0)?, column(1)?, column(2)?, column(3)?])
+}
+
 /// The rectangle of the window that clip space is mapped to, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Viewport {

@@ -69,7 +69,7 @@ impl Lines {
 /// Two stages that share their files with others: the clear of attachments, and the fallback level's
 /// transform, which is the caller's.
 fn by_function(name: &str, file: &str) -> Option<Part> {
-    let ours = file.contains("core/src/attachments/") || file.contains("cli/src/target/");
+    let ours = file.contains("core/src/attachments/") || file.contains("measure/src/target/");
     if ours && name.contains("clear") {
         Some(Part::Clear)
     } else if name.contains("transform_fallback") {
@@ -87,7 +87,7 @@ mod tests {
     fn functions_decide_where_files_cannot() {
         assert_eq!(by_function("_ZN..5clear17h..E", "/x/core/src/attachments/depth.rs"), Some(Part::Clear));
         assert_eq!(by_function("clear", "/x/core/src/simd/queue.rs"), None);
-        assert_eq!(by_function("transform_fallback", "/x/cli/src/target/mod.rs"), Some(Part::Transform));
+        assert_eq!(by_function("transform_fallback", "/x/measure/src/target/mod.rs"), Some(Part::Transform));
     }
 
     #[test]

@@ -7,6 +7,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
 use halfplane::{ClipPositions, Count, Cull, Region, Standard, State, Viewport, draw};
+use halfplane_measure::clip;
 use serde::{Deserialize, Serialize};
 
 use crate::limits::{CLEAR_PIXELS, Limit};
@@ -151,7 +152,7 @@ pub fn run(view: &View, prepared: Option<&Prepared>, options: &Options) -> Resul
     let levels = ours::available();
     let target = RefCell::new(ours::target(view));
     let covered = same_picture(view, prepared, &mut target.borrow_mut(), &levels)?;
-    let visible = Visible::new(view);
+    let visible = Visible::new(&view.plain());
     let (unit, same_size) = (RefCell::new(Limit::new(CLEAR_PIXELS)), RefCell::new(Limit::new(view.pixels())));
     let visible_target = RefCell::new(ours::with_indices(view, &visible.indices));
     let peers = RefCell::new(Vec::new());
@@ -259,10 +260,10 @@ fn frames<'a>(
 pub fn samples(view: &View) -> u64 {
     let region = Region::of_size(view.size.0, view.size.1).expect("views have sizes that targets can have");
     let state = State { cull: Cull::Back, ..State::<Standard>::new(region) };
-    let clip: Vec<_> = view.mesh.positions.iter().map(|&position| view.clip(position)).collect();
-    let clip = ClipPositions::new(&clip, Viewport::new(region));
+    let vertices: Vec<_> = view.mesh.positions.iter().map(|&position| clip(position, &view.matrix)).collect();
+    let positions = ClipPositions::new(&vertices, Viewport::new(region));
     let mut count = Count::default();
-    draw(&clip, &view.mesh.indices, 0, &state, &mut count).expect("views have indices that exist");
+    draw(&positions, &view.mesh.indices, 0, &state, &mut count).expect("views have indices that exist");
     count.samples
 }
 
@@ -281,7 +282,7 @@ pub fn most_seconds(scenes: usize, made: usize, options: &Options) -> f64 {
 
 /// The peers that draw something of the view; those that panic are left out, with a message.
 fn ready(view: &View, visible: &Visible) -> Vec<Box<dyn Peer>> {
-    let mut peers = peers::all(view, visible);
+    let mut peers = peers::all(&view.plain(), visible);
     peers.retain_mut(|peer| {
         let drawn = catch_unwind(AssertUnwindSafe(|| peer.frame(&view.matrix))).is_ok();
         if !drawn {

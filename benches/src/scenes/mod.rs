@@ -8,10 +8,10 @@ pub mod pixels;
 use std::path::Path;
 use std::sync::Arc;
 
-use halfplane_cli::camera::Matrix;
 use halfplane_cli::mesh::Mesh;
+use halfplane_measure::{Matrix, view};
 
-pub use halfplane_cli::measure::motion::Motion;
+pub use halfplane_measure::motion::Motion;
 
 /// A mesh seen by a camera. Front faces wind clockwise on the screen; the others are culled.
 #[derive(Debug, Clone)]
@@ -58,18 +58,11 @@ impl View {
         Motion::new(&self.mesh.positions, &self.matrix, self.size)
     }
 
-    /// The clip-space place of a position, as the rasterizer's own transform computes it.
+    /// The same as plain data, which is what other crates are given.
     #[must_use]
-    pub fn clip(&self, [x, y, z]: [f32; 3]) -> [f32; 4] {
-        let m = &self.matrix;
-        [0, 1, 2, 3].map(|k| x * m[k] + y * m[4 + k] + z * m[8 + k] + m[12 + k])
-    }
-
-    /// The window place of a clip-space point in front of the eye, in pixels.
-    #[must_use]
-    pub fn window(&self, [x, y, _, w]: [f32; 4]) -> [f32; 2] {
-        let (width, height) = self.size;
-        [(0.5 + 0.5 * x / w) * width as f32, (0.5 - 0.5 * y / w) * height as f32]
+    pub fn plain(&self) -> view::View<'_> {
+        let Self { mesh, matrix, size, .. } = self;
+        view::View { positions: &mesh.positions, indices: &mesh.indices, matrix: *matrix, size: *size }
     }
 
     /// Pixels.

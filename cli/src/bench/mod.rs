@@ -17,7 +17,7 @@ use crate::measure::limits::{CLEAR_PIXELS, Limit};
 use crate::measure::motion::Motion;
 use crate::measure::protocol::{Contender, Frame, Plan, Summary, measure};
 use crate::render::Settings;
-use crate::target::{self, Preparation, Prepared, Stage, Target};
+use crate::target::{Preparation, Prepared, Stage, Target};
 
 /// What was measured, and of what.
 #[derive(Debug, Clone)]
@@ -79,8 +79,7 @@ pub fn run_bench(arguments: &Bench) -> Result<(), Error> {
 fn run(subject: &Subject, matrix: &Matrix, settings: &Settings, arguments: &Bench) -> Result<Outcome, Error> {
     let size = (settings.region.width(), settings.region.height());
     let mesh = &subject.mesh;
-    let (level, attachments) =
-        (settings.level, target::Attachments::of(arguments.attachments, settings.depth));
+    let (level, attachments) = (settings.level, arguments.attachments.in_format(settings.depth));
     let prepared = subject.prepare(&arguments.picture.options)?;
     let mut target = Target::new(&mesh.positions, &mesh.indices, &settings.state())?;
     target.set_meshlets(prepared.as_ref().map(Prepared::meshlets));

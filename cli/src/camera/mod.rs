@@ -16,12 +16,10 @@ use glam::{DMat4, DVec3};
 
 pub use file::{Named, beside, parse};
 pub use frame::{frame, near_and_far};
+pub use halfplane_measure::Matrix;
 pub use lens::{Hand, Lens, View, matrix};
 
 use crate::mesh::Mesh;
-
-/// A model-to-clip matrix: 16 numbers, row-major, for row vectors.
-pub type Matrix = [f32; 16];
 
 /// The vertical field of view when none is given, in degrees.
 pub const DEFAULT_FOV: f64 = 45.0;

@@ -2,10 +2,9 @@
 
 mod transform;
 
-use halfplane::{Assembly, ClipPositions, Cull, NO_ID, Positions, Standard, Viewport, Winding};
-use halfplane_reference::{
-    Compare, DepthSpec, Report, Scene, SceneTriangle, render as reference_render, verify, z16_from_z32,
-};
+use halfplane::NO_ID;
+use halfplane_reference::{Compare, DepthSpec, Report, Scene, render as reference_render, verify};
+use halfplane_report::snapped::{self, Whole};
 
 use crate::args::DepthFormat;
 use crate::render::{Picture, RenderError, Settings};
@@ -16,62 +15,11 @@ pub use transform::{Displacement, displacement};
 /// the mesh were drawn without clipping.
 #[must_use]
 pub fn assemble(clip: &[[f32; 4]], indices: &[u32], settings: &Settings) -> (Scene, Vec<Whole>) {
-    let region = settings.region;
-    let positions = ClipPositions::new(clip, Viewport::<Standard>::new(region));
-    let mut scene = Scene {
-        width: region.width(),
-        height: region.height(),
-        subpixel_bits: <Standard as halfplane::Format>::SUBPIXEL_BITS,
-        sample: (128, 128),
-        triangles: Vec::new(),
+    let spec = match settings.depth {
+        DepthFormat::D32 => DepthSpec::D32,
+        DepthFormat::D16 => DepthSpec::D16,
     };
-    let mut whole = Vec::new();
-    for (id, corners) in (0..).zip(indices.chunks_exact(3)) {
-        let corners = [0, 1, 2].map(|k| corners[k] as usize);
-        let mut last = None;
-        let assembly = positions.assemble(corners, |vertices| {
-            let xy = vertices.map(|vertex| [vertex.x(), vertex.y()]);
-            last = Some(xy);
-            if culled(xy, settings) {
-                return;
-            }
-            let z = vertices.map(|vertex| match settings.depth {
-                DepthFormat::D32 => vertex.z(),
-                DepthFormat::D16 => u32::from(z16_from_z32(vertex.z())),
-            });
-            scene.triangles.push(SceneTriangle { xy, z, id });
-        });
-        if let (Assembly::Whole, Some(xy)) = (assembly, last) {
-            whole.push(Whole { corners, xy });
-        }
-    }
-    (scene, whole)
-}
-
-/// A triangle that reached the window as it was: its vertices in the mesh and in the window.
-#[derive(Debug, Clone, Copy)]
-pub struct Whole {
-    /// Vertex numbers.
-    pub corners: [usize; 3],
-    /// Snapped positions in sub-pixel steps.
-    pub xy: [[i32; 2]; 3],
-}
-
-/// Whether a window triangle faces the culled way, from its definition: clockwise on the y-down screen
-/// is a positive area.
-fn culled([a, b, c]: [[i32; 2]; 3], settings: &Settings) -> bool {
-    let delta = |p: [i32; 2]| [0, 1].map(|k| i64::from(p[k]) - i64::from(a[k]));
-    let ([bx, by], [cx, cy]) = (delta(b), delta(c));
-    let area = i128::from(bx) * i128::from(cy) - i128::from(by) * i128::from(cx);
-    let front = match settings.front {
-        Winding::Clockwise => area > 0,
-        Winding::CounterClockwise => area < 0,
-    };
-    match settings.cull {
-        Cull::None => false,
-        Cull::Back => !front,
-        Cull::Front => front,
-    }
+    snapped::assemble(clip, indices, &settings.state(), spec)
 }
 
 /// Compares every pixel; `progress` is called with the number of pixels newly done.
@@ -122,7 +70,7 @@ mod tests {
     use crate::mesh::Mesh;
     use crate::render::{render, to_clip};
     use crate::target::Prepared;
-    use halfplane::Region;
+    use halfplane::{Cull, Region, Winding};
 
     fn settings(cull: Cull, depth: DepthFormat, level: Level) -> Settings {
         let region = Region::of_size(12, 10).unwrap();

@@ -1,6 +1,6 @@
 //! How far snapped vertices lie from where exact arithmetic puts them.
 
-use halfplane_reference::{Rational, Viewport, from_f32, from_steps, to_window};
+use halfplane_reference::{Rational, Viewport, from_f32, from_steps, to_clip, to_window};
 use rayon::prelude::*;
 
 use crate::camera::Matrix;
@@ -59,7 +59,7 @@ pub fn displacement(
         .par_iter()
         .map(|&&(vertex, xy)| {
             let from_clip = exact(clip[vertex]).map_or(f64::INFINITY, |p| distance(&p, xy));
-            let model = product(mesh.positions[vertex], matrix);
+            let model = to_clip(mesh.positions[vertex], matrix);
             (from_clip, model.map_or(f64::INFINITY, |p| distance(&p, xy)))
         })
         .reduce(|| (0.0, 0.0), |a, b| (a.0.max(b.0), a.1.max(b.1)));
@@ -69,19 +69,6 @@ pub fn displacement(
 fn exact(point: [f32; 4]) -> Option<[Rational; 4]> {
     let [x, y, z, w] = point.map(from_f32);
     Some([x?, y?, z?, w?])
-}
-
-/// `[x y z 1] * M` without rounding.
-fn product([x, y, z]: [f32; 3], matrix: &Matrix) -> Option<[Rational; 4]> {
-    let point = [from_f32(x)?, from_f32(y)?, from_f32(z)?, from_f32(1.0)?];
-    let column = |k: usize| {
-        let mut sum = from_f32(0.0)?;
-        for (row, coordinate) in point.iter().enumerate() {
-            sum += coordinate * from_f32(matrix[4 * row + k])?;
-        }
-        Some(sum)
-    };
-    Some([column(0)?, column(1)?, column(2)?, column(3)?])
 }
 
 fn nearest_f64(value: &Rational) -> f64 {
