@@ -156,8 +156,7 @@ impl Renderer<'_> {
         }
         let (mut depth, mut error) = filter.depth(at);
         let mut inverse_w = filter.inverse_w(at);
-        // Also where it is no number.
-        if !(error <= DEPTH_ERROR) {
+        if error.is_nan() || error > DEPTH_ERROR {
             let exact = self.exact(triangle);
             (depth, inverse_w) = (exact.depth(sample), exact.inverse_w(sample));
             error = 4.0 * f64::EPSILON;

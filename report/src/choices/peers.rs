@@ -151,7 +151,8 @@ fn judged(shown: impl Iterator<Item = Shown>, exact: &Unsnapped) -> (u64, u64) {
         // Four last bits of an f32 near 1 are no other surface.
         let off = |given: f32, exact: f64, size: f64| {
             let distance = (f64::from(given) - exact).abs();
-            !(distance <= size / 256.0 + 4.0 * f64::from(f32::EPSILON) * f64::max(1.0, exact))
+            distance.is_nan()
+                || distance > size / 256.0 + 4.0 * f64::from(f32::EPSILON) * f64::max(1.0, exact)
         };
         let is_wrong = match shown {
             Shown::Nothing | Shown::Something => false,
