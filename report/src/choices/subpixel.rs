@@ -30,7 +30,7 @@ pub const QUESTION: Question = Question {
 /// Where the scene cannot be drawn.
 pub fn subpixel<'a>(scene: &'a Scene, truth: &Truth) -> Result<Vec<Entry<'a>>, ReportError> {
     let mut entries = vec![
-        at::<Bits1, WholePixels>("0 bits", scene, truth)?,
+        at::<Standard, WholePixels>("0 bits", scene, truth)?,
         at::<Bits1, Own>("1 bit", scene, truth)?,
         at::<Bits2, Own>("2 bits", scene, truth)?,
         at::<Bits3, Own>("3 bits", scene, truth)?,
@@ -41,7 +41,8 @@ pub fn subpixel<'a>(scene: &'a Scene, truth: &Truth) -> Result<Vec<Entry<'a>>, R
         at::<Standard, Own>("8 bits (Standard)", scene, truth)?,
     ];
     if let Some(first) = entries.first_mut() {
-        first.row.note = "corners at whole pixels, on the grid of 1 bit: formats have 1 to 8 bits".to_owned();
+        first.row.note =
+            "corners at whole pixels, drawn on the grid of 8 bits: formats have 1 to 8 bits".to_owned();
     }
     let reason =
         "formats have 1 to 8 bits (`Bounds::CHECKED`): with 12, edge values of a large target leave 32 bits";
