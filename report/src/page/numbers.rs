@@ -12,7 +12,7 @@ pub(super) fn figure(value: f64) -> String {
     if value.fract() == 0.0 && size < 1e9 {
         return grouped(value as i64);
     }
-    if size >= 1e9 || size < 1e-4 {
+    if !(1e-4..1e9).contains(&size) {
         let exponent = size.log10().floor();
         return format!("{:.2}·10{}", value / 10f64.powf(exponent), raised(exponent as i32));
     }

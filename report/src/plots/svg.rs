@@ -4,7 +4,7 @@ use plotters::prelude::*;
 
 use super::{Error, PALETTE};
 
-/// A colour by its part in a plot. Drawn with a stand-in that [`finish`] replaces.
+/// A colour by its part in a plot. Drawn with a stand-in that is replaced in the end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     /// Letters and axes.

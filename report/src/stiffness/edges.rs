@@ -13,12 +13,12 @@ pub trait Float: Copy + PartialOrd {
 }
 
 macro_rules! float {
-    ($($float:ident),+) => {
+    ($($float:ident $from:expr),+) => {
         $(impl Float for $float {
             const ZERO: Self = 0.0;
 
             fn of(steps: i32) -> Self {
-                steps as $float / 256.0
+                $from(steps) / 256.0
             }
 
             fn side(a: [Self; 2], b: [Self; 2], p: [Self; 2]) -> Self {
@@ -28,7 +28,8 @@ macro_rules! float {
     };
 }
 
-float!(f32, f64);
+// Steps are below 2^24: exact.
+float!(f32 (|steps| steps as f32), f64 f64::from);
 
 /// Whether a triangle covers the centre of a pixel, by the top-left rule.
 pub fn covers<T: Float>((xy, _): &Corners, (x, y): (u32, u32)) -> bool {
