@@ -45,7 +45,8 @@ fn passed(attachment: &mut impl Attachment<Standard>, mask: u16) -> u16 {
 fn no_attachment_lets_everything_through() {
     assert_eq!(passed(&mut (), 0x1234), 0x1234);
     let mut last = Recorder::new(0xFFFF);
-    assert_eq!(passed(&mut ((), &mut last), 0x1234), 0xFFFF);
+    // What was not covered stays so, whatever an attachment returns.
+    assert_eq!(passed(&mut ((), &mut last), 0x1234), 0x1234);
     assert_eq!((last.begun, last.seen), (1, vec![Mask(0x1234)]));
 }
 
@@ -99,9 +100,9 @@ fn attachments_without_a_test_let_everything_through() {
 #[test]
 fn later_attachments_see_what_earlier_ones_let_through() {
     let (mut a, mut b, mut c) = (Recorder::new(0x0FF7), Recorder::new(0x00F3), Recorder::new(0x0011));
-    assert_eq!(passed(&mut (&mut a, &mut b), 0xFFFE), 0x00F3);
+    assert_eq!(passed(&mut (&mut a, &mut b), 0xFFFE), 0x00F2);
     assert_eq!((a.seen.as_slice(), b.seen.as_slice()), (&[Mask(0xFFFE)][..], &[Mask(0x0FF6)][..]));
-    assert_eq!(passed(&mut (&mut a, &mut b, &mut c), 0xFFFE), 0x0011);
+    assert_eq!(passed(&mut (&mut a, &mut b, &mut c), 0xFFFE), 0x0010);
     assert_eq!(c.seen, [Mask(0x00F2)]);
     assert_eq!((a.begun, b.begun, c.begun), (2, 2, 1));
     let mut reference = &mut a;
