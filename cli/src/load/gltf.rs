@@ -26,6 +26,7 @@ pub(super) fn parse(bytes: &[u8], folder: Option<&Path>) -> Result<Mesh, Problem
     let Gltf { document, blob } = Gltf::from_slice_without_validation(bytes).map_err(malformed)?;
     let root = document.into_json();
     check_attributes(&root)?;
+    check_uris(&root)?;
     let document = Document::from_json(root).map_err(malformed)?;
     let buffers = gltf::import_buffers(&document, folder, blob).map_err(malformed)?;
     let mut reader = Reader {
@@ -70,6 +71,21 @@ fn check_attributes(root: &Root) -> Result<(), Problem> {
                     ),
                 });
             }
+        }
+    }
+    Ok(())
+}
+
+/// The names of buffers' files are UTF-8 without their percent-escapes; the crate takes that for granted.
+fn check_uris(root: &Root) -> Result<(), Problem> {
+    for (buffer, uri) in
+        root.buffers.iter().map(|buffer| buffer.uri.as_deref().unwrap_or_default()).enumerate()
+    {
+        if !uri.contains(':') && urlencoding::decode(uri).is_err() {
+            return Err(Problem::Malformed {
+                at: format!("buffer {buffer}"),
+                expected: "its URI has to be UTF-8 when percent-escapes are decoded".to_owned(),
+            });
         }
     }
     Ok(())
@@ -294,6 +310,13 @@ mod tests {
             br#"{"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]}"#;
         let Err(Problem::Malformed { at, .. }) = parse(file, None) else { panic!("not refused") };
         assert_eq!(at, "mesh 0 primitive 0");
+    }
+
+    #[test]
+    fn a_name_that_is_not_utf_8_is_an_error() {
+        let file = br#"{"asset":{"version":"2.0"},"buffers":[{"byteLength":1,"uri":"%BA"}]}"#;
+        let Err(Problem::Malformed { at, .. }) = parse(file, None) else { panic!("not refused") };
+        assert_eq!(at, "buffer 0");
     }
 
     #[test]
