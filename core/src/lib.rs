@@ -73,8 +73,8 @@ pub mod transform;
 pub mod traversal;
 
 pub use attachments::{
-    Attachment, Block, Compare, Count, Coverage, D16, D32, Depth, DepthFormat, DepthTest, Ids, NO_ID,
-    OutsideAttachment, StorageError, Tiled, blocks, texels,
+    Attachment, Block, Compare, Count, Coverage, D16, D32, Depth, DepthFormat, DepthRange, DepthTest,
+    HierarchicalDepth, Ids, NO_ID, OutsideAttachment, StorageError, Tiled, blocks, depth_ranges, texels,
 };
 pub use draw::{CulledCounts, DrawError, Index, RejectedCounts, State, Statistics, draw};
 pub use geometry::{
@@ -83,5 +83,5 @@ pub use geometry::{
 };
 pub use numbers::{Bounds, Coordinate, Format, Small, Standard, unorm16, unorm32};
 #[cfg(feature = "transform")]
-pub use transform::{ClipPositions, ModelPositions, Viewport};
+pub use transform::{Bound, ClipPositions, Frustum, ModelPositions, Viewport};
 pub use traversal::{Mask, traverse};

@@ -80,14 +80,14 @@ fn meshlets_are_full_of_triangles_before_vertices() {
 #[test]
 fn statistics_say_everything() {
     let statistics = Statistics {
-        submitted: 21,
+        submitted: 29,
         drawn: 1,
-        culled: CulledCounts { facing: 2, zero_area: 3, no_sample: 4, outside: 5 },
+        culled: CulledCounts { facing: 2, zero_area: 3, no_sample: 4, outside: 5, hidden: 8 },
         rejected: RejectedCounts { non_finite: 6, ..RejectedCounts::default() },
         clipped: 7,
     };
-    let expected = "submitted 21, drawn 1 (clipped 7)\n\
-                    culled 14: facing 2, zero area 3, no sample 4, outside 5\n\
+    let expected = "submitted 29, drawn 1 (clipped 7)\n\
+                    culled 22: facing 2, zero area 3, no sample 4, outside 5, hidden 8\n\
                     rejected 6: non-finite 6, no vertex 0";
     assert_eq!(statistics.to_string(), expected);
 }

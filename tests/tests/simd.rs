@@ -44,7 +44,7 @@ impl Met {
     pub(crate) fn assert_all(&self) {
         self.assert_drawn(5);
         let Statistics { submitted, culled, rejected, clipped, .. } = self.0.get();
-        let CulledCounts { facing, zero_area, no_sample, outside } = culled;
+        let CulledCounts { facing, zero_area, no_sample, outside, .. } = culled;
         let RejectedCounts { non_finite, .. } = rejected;
         for count in [facing, zero_area, no_sample, outside, non_finite, clipped] {
             assert!(count >= submitted / 200, "{}", self.0.get());

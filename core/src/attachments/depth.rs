@@ -88,7 +88,6 @@ impl<'a, F: Format, D: DepthFormat<F>> Depth<'a, F, D> {
     }
 
     /// The storage.
-    #[cfg(feature = "simd")]
     #[inline]
     pub(crate) const fn tiled(&self) -> &Tiled<'a, F, [D::Texel; 16]> {
         &self.texels
@@ -102,7 +101,6 @@ impl<'a, F: Format, D: DepthFormat<F>> Depth<'a, F, D> {
     }
 
     /// The comparison, and whether depths are stored.
-    #[cfg(feature = "simd")]
     #[inline]
     pub(crate) const fn test(&self) -> DepthTest {
         self.test

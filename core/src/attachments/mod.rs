@@ -8,6 +8,7 @@ mod count;
 mod coverage;
 mod depth;
 mod depth_format;
+mod hierarchical;
 mod ids;
 #[cfg(any(kani, test))]
 mod proofs;
@@ -17,6 +18,7 @@ pub use count::Count;
 pub use coverage::Coverage;
 pub use depth::{Compare, Depth, DepthTest};
 pub use depth_format::{D16, D32, DepthFormat};
+pub use hierarchical::{DepthRange, HierarchicalDepth, depth_ranges};
 pub use ids::{Ids, NO_ID};
 pub use storage::{StorageError, Tiled, blocks, texels};
 

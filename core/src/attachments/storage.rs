@@ -141,6 +141,14 @@ impl<'a, F: Format, T> Tiled<'a, F, T> {
         rest.get_mut(..count).unwrap_or(&mut [])
     }
 
+    /// The blocks in the row at `y`, of those that `part`, of the region, touches.
+    #[inline(always)]
+    pub(super) fn row(&self, part: Region<F>, y: u32) -> &[T] {
+        let Some(first) = self.index(part.x0(), y) else { return &[] };
+        let count = part.width().div_ceil(4) as usize;
+        self.blocks.get(first..first.saturating_add(count)).unwrap_or(&[])
+    }
+
     #[inline]
     pub(super) fn index(&self, x: u32, y: u32) -> Option<usize> {
         let column = x.checked_sub(self.region.x0())?;

@@ -24,22 +24,23 @@ const OUTCOMES: [Option<Result<(), Culled>>; 6] = [
 ];
 
 /// Statistics with these counts: submitted, drawn, culled, rejected, clipped.
-fn statistics(counts: [u32; 9]) -> Statistics {
-    let [submitted, drawn, facing, zero_area, no_sample, outside, non_finite, no_vertex, clipped] = counts;
-    let culled = CulledCounts { facing, zero_area, no_sample, outside };
+fn statistics(counts: [u32; 10]) -> Statistics {
+    let [submitted, drawn, facing, zero_area, no_sample, outside, hidden, non_finite, no_vertex, clipped] =
+        counts;
+    let culled = CulledCounts { facing, zero_area, no_sample, outside, hidden };
     Statistics { submitted, drawn, culled, rejected: RejectedCounts { non_finite, no_vertex }, clipped }
 }
 
 /// The counts of statistics, in the same order.
-fn counts(statistics: Statistics) -> [u32; 9] {
+fn counts(statistics: Statistics) -> [u32; 10] {
     let Statistics { submitted, drawn, culled, rejected, clipped } = statistics;
-    let CulledCounts { facing, zero_area, no_sample, outside } = culled;
+    let CulledCounts { facing, zero_area, no_sample, outside, hidden } = culled;
     let RejectedCounts { non_finite, no_vertex } = rejected;
-    [submitted, drawn, facing, zero_area, no_sample, outside, non_finite, no_vertex, clipped]
+    [submitted, drawn, facing, zero_area, no_sample, outside, hidden, non_finite, no_vertex, clipped]
 }
 
 /// How much each count has grown.
-fn growth(after: [u32; 9], before: [u32; 9]) -> [u32; 9] {
+fn growth(after: [u32; 10], before: [u32; 10]) -> [u32; 10] {
     core::array::from_fn(|at| after[at] - before[at])
 }
 
@@ -171,18 +172,18 @@ prove! {
 
     /// Each triangle goes into one count, and clipped ones into theirs besides: one more in, one more out,
     /// so by induction drawn, culled and rejected add up to what was submitted, until a count saturates.
-    #[kani::unwind(10)]
+    #[kani::unwind(11)]
     [Statistics::count, add]
-    fn each_triangle_is_counted_once(before: [u32; 9] = [0; 9]..=[u32::MAX - 1; 9]) {
+    fn each_triangle_is_counted_once(before: [u32; 10] = [0; 10]..=[u32::MAX - 1; 10]) {
         for assembly in ASSEMBLIES {
             for outcome in OUTCOMES {
                 let mut after = statistics(before);
                 after.count(assembly, outcome);
-                let [submitted, drawn, facing, zero_area, no_sample, outside, non_finite, no_vertex, clipped] =
+                let [submitted, drawn, facing, zero_area, no_sample, outside, hidden, non_finite, no_vertex, clipped] =
                     growth(counts(after), before);
-                let culled = facing + zero_area + no_sample + outside;
+                let culled = facing + zero_area + no_sample + outside + hidden;
                 let rejected = non_finite + no_vertex;
-                assert!(submitted == 0 && clipped == u32::from(assembly == Assembly::Clipped));
+                assert!(submitted == 0 && hidden == 0 && clipped == u32::from(assembly == Assembly::Clipped));
                 assert!(drawn + culled + rejected == 1);
                 assert!((drawn == 1) == (outcome == Some(Ok(()))));
                 assert!((facing == 1) == (outcome == Some(Err(Culled::Facing))));
@@ -195,21 +196,21 @@ prove! {
 
     /// A count that cannot grow stays at its end; totals do.
     [add, Statistics::count, CulledCounts::total, RejectedCounts::total]
-    fn counts_saturate(count: u32, more: u32, parts: [u32; 9]) {
+    fn counts_saturate(count: u32, more: u32, parts: [u32; 10]) {
         let exact = |sum: u64| sum.min(u64::from(u32::MAX));
         let mut grown = count;
         add(&mut grown, more);
         assert!(u64::from(grown) == exact(u64::from(count) + u64::from(more)));
         let Statistics { culled, rejected, .. } = statistics(parts);
         let wide = parts.map(u64::from);
-        assert!(u64::from(culled.total()) == exact(wide[2] + wide[3] + wide[4] + wide[5]));
-        assert!(u64::from(rejected.total()) == exact(wide[6] + wide[7]));
-        cover!(wide[2] + wide[3] + wide[4] + wide[5] > 3 << 32);
+        assert!(u64::from(culled.total()) == exact(wide[2] + wide[3] + wide[4] + wide[5] + wide[6]));
+        assert!(u64::from(rejected.total()) == exact(wide[7] + wide[8]));
+        cover!(wide[2] + wide[3] + wide[4] + wide[5] + wide[6] > 3 << 32);
     }
 
     /// Statistics of two draws add up count by count.
     [Statistics::add_assign, add]
-    fn statistics_add_up(first: [u32; 9], second: [u32; 9], at: usize = 0..=8) {
+    fn statistics_add_up(first: [u32; 10], second: [u32; 10], at: usize = 0..=9) {
         let mut sum = statistics(first);
         sum += statistics(second);
         let exact = u64::from(first[at]) + u64::from(second[at]);

@@ -31,6 +31,8 @@ pub struct CulledCounts {
     pub no_sample: u32,
     /// Outside scissor, viewport or frustum.
     pub outside: u32,
+    /// In a box that is hidden behind what was drawn before; only where a draw asks, as `simd::draw_batches` does.
+    pub hidden: u32,
 }
 
 /// Rejected triangles by cause.
@@ -47,7 +49,8 @@ impl CulledCounts {
     /// The sum.
     #[must_use]
     pub const fn total(self) -> u32 {
-        self.facing.saturating_add(self.zero_area).saturating_add(self.no_sample).saturating_add(self.outside)
+        let uncovered = self.facing.saturating_add(self.zero_area).saturating_add(self.no_sample);
+        uncovered.saturating_add(self.outside).saturating_add(self.hidden)
     }
 }
 
@@ -94,6 +97,7 @@ impl AddAssign for Statistics {
         add(&mut self.culled.zero_area, more.culled.zero_area);
         add(&mut self.culled.no_sample, more.culled.no_sample);
         add(&mut self.culled.outside, more.culled.outside);
+        add(&mut self.culled.hidden, more.culled.hidden);
         add(&mut self.rejected.non_finite, more.rejected.non_finite);
         add(&mut self.rejected.no_vertex, more.rejected.no_vertex);
         add(&mut self.clipped, more.clipped);
@@ -103,12 +107,13 @@ impl AddAssign for Statistics {
 impl fmt::Display for Statistics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { submitted, drawn, culled, rejected, clipped } = self;
-        let CulledCounts { facing, zero_area, no_sample, outside } = culled;
+        let CulledCounts { facing, zero_area, no_sample, outside, hidden } = culled;
         let RejectedCounts { non_finite, no_vertex } = rejected;
         writeln!(f, "submitted {submitted}, drawn {drawn} (clipped {clipped})")?;
         writeln!(
             f,
-            "culled {}: facing {facing}, zero area {zero_area}, no sample {no_sample}, outside {outside}",
+            "culled {}: facing {facing}, zero area {zero_area}, no sample {no_sample}, outside {outside}, \
+             hidden {hidden}",
             culled.total()
         )?;
         write!(f, "rejected {}: non-finite {non_finite}, no vertex {no_vertex}", rejected.total())

@@ -28,6 +28,13 @@ impl<F: Format> Sample<F> {
         Some(Self { x, y, format: PhantomData })
     }
 
+    /// x and y in pixels from the pixel's top-left corner.
+    #[cfg(feature = "transform")]
+    pub(crate) const fn offset(self) -> (f32, f32) {
+        let step = 1.0 / Bounds::<F>::STEPS_PER_PIXEL as f32;
+        (self.x as f32 * step, self.y as f32 * step)
+    }
+
     /// The window position, in steps, of the sample of pixel (`column`, `row`), both within the
     /// largest target.
     #[inline]

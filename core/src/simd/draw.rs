@@ -5,7 +5,6 @@ use super::{
     attachment::RowAttachment,
     cull::Culling,
     fetch::Records,
-    frustum::Frustum,
     level::Level,
     meshlet::{Meshlet, MeshletPositions},
     pipeline::{Drawing, Scratch},
@@ -17,7 +16,7 @@ use crate::{
     draw::{self, DrawError, Index, State, Statistics},
     geometry::Positions,
     numbers::Standard,
-    transform::{ModelPositions, Viewport},
+    transform::{Frustum, ModelPositions, Viewport},
 };
 use fearless_simd::{Simd as _, dispatch};
 
@@ -134,7 +133,7 @@ pub fn draw_meshlets<A: RowAttachment>(
         simd.vectorize(
             #[inline(always)]
             || {
-                let frustum = Frustum::new(simd, &matrix);
+                let frustum = Frustum::new(&matrix);
                 let lanes = VertexLanes::new(simd, &camera);
                 let culling = Culling::new(simd, area, state);
                 let mut queues = Scratch::EMPTY.clone();
@@ -142,7 +141,7 @@ pub fn draw_meshlets<A: RowAttachment>(
                 loop {
                     scratch.clear();
                     while scratch.has_room() && let Some((number, meshlet)) = numbered.next() {
-                        if frustum.excludes(meshlet) {
+                        if frustum.excludes_box([meshlet.low, meshlet.high]) {
                             statistics.culled.outside += meshlet.corners().len() as u32;
                         } else {
                             scratch.add(simd, &lanes, meshlet, number);

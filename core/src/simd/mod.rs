@@ -47,14 +47,17 @@
 
 mod any;
 mod attachment;
+mod batch;
 mod blocks;
+mod cluster;
 mod cull;
 mod draw;
 mod extent;
 mod fetch;
-mod frustum;
+mod hierarchical;
 mod level;
 mod meshlet;
+mod occluded;
 mod ops;
 mod pipeline;
 #[cfg(any(kani, test))]
@@ -69,8 +72,12 @@ mod windows;
 
 pub use any::draw_any;
 pub use attachment::RowAttachment;
+pub use batch::{Batch, make_batches, max_batches};
+pub use cluster::cluster;
 pub use draw::{Triangles, draw, draw_meshlets};
+pub use hierarchical::Occluder;
 pub use level::Level;
 pub use meshlet::{Meshlet, MeshletError, make_meshlets, max_meshlets};
+pub use occluded::{BatchOrder, Occlusion, draw_batches};
 pub use vertex::Snapped;
 pub use window::MeshletScratch;

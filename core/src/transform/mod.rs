@@ -4,7 +4,9 @@
 //! of it is `f32` arithmetic in a fixed order, each operation rounded once, so the bits are the same
 //! wherever IEEE 754 holds; the point where a plane cuts an edge is computed in `f64` and rounded.
 
+mod bound;
 mod clip;
+mod frustum;
 mod model;
 mod plane;
 mod positions;
@@ -13,6 +15,8 @@ mod proofs;
 mod triangulate;
 mod viewport;
 
+pub use bound::Bound;
+pub use frustum::Frustum;
 pub use model::ModelPositions;
 #[cfg(feature = "simd")]
 pub(crate) use plane::Plane;

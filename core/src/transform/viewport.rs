@@ -57,13 +57,11 @@ impl<F: Format> Viewport<F> {
     }
 
     /// Half the width and the height, in pixels.
-    #[cfg(feature = "simd")]
     pub(crate) const fn half_size(&self) -> [f32; 2] {
         [self.half_width, self.half_height]
     }
 
     /// The centre, in pixels from the target's origin.
-    #[cfg(feature = "simd")]
     pub(crate) const fn center(&self) -> [f32; 2] {
         [self.center_x, self.center_y]
     }

@@ -56,7 +56,7 @@ impl Mask {
 
     /// The pixels of the block at (`x`, `y`) that are in a region which touches it.
     #[inline]
-    pub(super) const fn of_block<F: Format>(region: Region<F>, x: u32, y: u32) -> Self {
+    pub(crate) const fn of_block<F: Format>(region: Region<F>, x: u32, y: u32) -> Self {
         Self::rectangle(
             region.x0().saturating_sub(x),
             region.x1().saturating_sub(x),

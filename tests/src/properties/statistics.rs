@@ -11,15 +11,15 @@ use halfplane::{
 /// The counts sum to the number of submitted triangles.
 pub fn add_up(statistics: &Statistics, submitted: usize) -> Verdict {
     let Statistics { drawn, culled, rejected, clipped, .. } = *statistics;
-    let CulledCounts { facing, zero_area, no_sample, outside } = culled;
+    let CulledCounts { facing, zero_area, no_sample, outside, hidden } = culled;
     let RejectedCounts { non_finite, no_vertex } = rejected;
-    let sum = [drawn, facing, zero_area, no_sample, outside, non_finite, no_vertex]
+    let sum = [drawn, facing, zero_area, no_sample, outside, hidden, non_finite, no_vertex]
         .iter()
         .map(|&count| u64::from(count))
         .sum::<u64>();
     ensure_eq!(u64::from(statistics.submitted), submitted as u64, "submitted");
     ensure_eq!(sum, submitted as u64, "the sum of all causes in {statistics}");
-    ensure_eq!(culled.total(), facing + zero_area + no_sample + outside, "culled in total");
+    ensure_eq!(culled.total(), facing + zero_area + no_sample + outside + hidden, "culled in total");
     ensure_eq!(rejected.total(), non_finite + no_vertex, "rejected in total");
     ensure!(clipped as usize <= submitted, "more clipped than submitted: {statistics}");
     Ok(())

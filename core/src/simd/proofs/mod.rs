@@ -7,7 +7,6 @@ mod crossings;
 mod depth;
 mod edges;
 mod fetch;
-mod frustum;
 mod meshlet;
 mod ops;
 mod queue;

@@ -2,6 +2,7 @@
 
 mod clip;
 mod cut;
+mod frustum;
 mod model;
 mod plane;
 #[cfg(test)]

@@ -1,30 +1,18 @@
 //! Boxes against the frustum.
 
-use super::{
-    super::{frustum::Frustum, meshlet::Meshlet},
-    simd,
-};
 use crate::{
     proof::{cover, prove},
-    transform::Plane,
+    transform::{Frustum, plane::Plane},
 };
-
-/// A meshlet with vertices between two.
-#[inline(always)]
-fn within(low: [f32; 3], high: [f32; 3]) -> Meshlet {
-    let mut meshlet = Meshlet::EMPTY;
-    (meshlet.low, meshlet.high) = (low, high);
-    meshlet
-}
 
 prove! {
     /// A box that is left out has its corners outside one plane of the frustum, and so whatever is in it:
     /// through the identity, for any box.
-    [Frustum::new, Frustum::excludes, row, size]
+    [Frustum::new, Frustum::excludes_box, greater]
     fn boxes_left_out_are_outside(low: [u32; 3], high: [u32; 3]) {
         let (low, high) = (low.map(f32::from_bits), high.map(f32::from_bits));
         let identity = [[1., 0., 0., 0.], [0., 1., 0., 0.], [0., 0., 1., 0.], [0., 0., 0., 1.]];
-        let excluded = Frustum::new(simd(), &identity).excludes(&within(low, high));
+        let excluded = Frustum::new(&identity).excludes_box([low, high]);
         let [[x0, y0, z0], [x1, y1, z1]] = [low, high];
         let ordered = x0 <= x1 && y0 <= y1 && z0 <= z1;
         let mut common = [u32::MAX; 4];
@@ -38,14 +26,14 @@ prove! {
     }
 
     /// A box that is not finite is never left out, whatever the matrix.
-    [Frustum::new, Frustum::excludes, row, size]
+    [Frustum::new, Frustum::excludes_box, greater]
     fn infinite_boxes_stay(matrix: [[u32; 4]; 4], end: u32, axis: usize = 0..=2) {
         let matrix = matrix.map(|row| row.map(f32::from_bits));
         let mut low = [0.0; 3];
         low[axis] = f32::NEG_INFINITY;
         let mut high = [1.0; 3];
         high[axis] = f32::from_bits(end);
-        let excluded = Frustum::new(simd(), &matrix).excludes(&within(low, high));
+        let excluded = Frustum::new(&matrix).excludes_box([low, high]);
         assert!(!excluded);
     }
 }

@@ -1,0 +1,105 @@
+//! The ranges of depth of a region's squares.
+
+/// Pixels in the width and height of a square, and of a tile of 4x4 squares.
+pub(super) const SQUARE: u32 = 16;
+pub(super) const TILE: u32 = 4 * SQUARE;
+
+/// Memory for what is known of the depths in a square or a tile.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DepthRange {
+    /// No depth is smaller, and none greater.
+    pub(super) low: u32,
+    pub(super) high: u32,
+    /// When both were depths; 0 is never.
+    pub(super) version: u32,
+}
+
+impl DepthRange {
+    /// Any depths. To fill arrays with.
+    pub const UNKNOWN: Self = Self { low: 0, high: u32::MAX, version: 0 };
+
+    /// A depth alone.
+    #[inline(always)]
+    pub(super) const fn one(depth: u32) -> Self {
+        Self { low: depth, high: depth, version: 0 }
+    }
+
+    /// The range of both.
+    #[inline(always)]
+    pub(super) const fn with(self, other: Self) -> Self {
+        let low = if other.low < self.low { other.low } else { self.low };
+        let high = if other.high > self.high { other.high } else { self.high };
+        Self { low, high, version: self.version }
+    }
+}
+
+/// How many ranges a region of that size in pixels has: one for each square of 16x16 pixels and each tile of
+/// 64x64, partial ones included. For array lengths; saturates.
+#[must_use]
+pub const fn depth_ranges(width: u32, height: u32) -> usize {
+    let squares = (width.div_ceil(SQUARE) as usize).saturating_mul(height.div_ceil(SQUARE) as usize);
+    let tiles = (width.div_ceil(TILE) as usize).saturating_mul(height.div_ceil(TILE) as usize);
+    squares.saturating_add(tiles)
+}
+
+/// Ranges in rows.
+#[derive(Debug)]
+pub(super) struct Squares<'a> {
+    ranges: &'a mut [DepthRange],
+    columns: u32,
+    rows: u32,
+}
+
+impl<'a> Squares<'a> {
+    /// Rows of ranges in the first elements of a slice, and those left.
+    pub(super) fn split(
+        ranges: &'a mut [DepthRange],
+        columns: u32,
+        rows: u32,
+    ) -> (Self, &'a mut [DepthRange]) {
+        let count = ranges.len().min(columns as usize * rows as usize);
+        let (ranges, rest) = ranges.split_at_mut_checked(count).unwrap_or_default();
+        (Self { ranges, columns, rows }, rest)
+    }
+
+    /// How many there are in a row.
+    pub(super) const fn columns(&self) -> u32 {
+        self.columns
+    }
+
+    /// How many rows there are.
+    pub(super) const fn rows(&self) -> u32 {
+        self.rows
+    }
+
+    #[inline(always)]
+    const fn place(&self, column: u32, row: u32) -> usize {
+        row as usize * self.columns as usize + column as usize
+    }
+
+    /// One of them; beside them, any depths.
+    #[inline(always)]
+    pub(super) fn get(&self, column: u32, row: u32) -> DepthRange {
+        self.ranges.get(self.place(column, row)).copied().unwrap_or(DepthRange::UNKNOWN)
+    }
+
+    #[inline(always)]
+    pub(super) fn set(&mut self, column: u32, row: u32, range: DepthRange) {
+        let place = self.place(column, row);
+        if let Some(to) = self.ranges.get_mut(place) {
+            *to = range;
+        }
+    }
+
+    pub(super) fn fill(&mut self, range: DepthRange) {
+        self.ranges.fill(range);
+    }
+
+    /// Takes all for what they were at some time.
+    #[cold]
+    pub(super) fn forget(&mut self) {
+        for range in &mut *self.ranges {
+            range.version = 0;
+        }
+    }
+}

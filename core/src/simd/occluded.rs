@@ -1,0 +1,276 @@
+//! The draw that asks before it draws.
+
+use super::{
+    attachment::RowAttachment,
+    batch::Batch,
+    cull::Culling,
+    fetch::Records,
+    hierarchical::Occluder,
+    level::Level,
+    meshlet::{Meshlet, MeshletPositions},
+    pipeline::{Drawing, Scratch},
+    source::InView,
+    vertex::VertexLanes,
+    window::MeshletScratch,
+};
+use crate::{
+    draw::{self, DrawError, State, Statistics},
+    geometry::Region,
+    lanes::{ArrayLanes, Lanes, VectorLanes},
+    numbers::Standard,
+    transform::{Bound, Frustum, ModelPositions, Viewport},
+};
+use fearless_simd::{Simd, dispatch};
+
+/// Memory to put a batch in its place from front to back.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct BatchOrder(u64);
+
+/// What was asked in a draw of batches, and how often the answer was "hidden".
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Occlusion {
+    /// Batches that are not all outside the view frustum.
+    pub batches: u32,
+    /// Of these, the hidden ones.
+    pub hidden_batches: u32,
+    /// Meshlets of batches that are not hidden, themselves not all outside the frustum.
+    pub meshlets: u32,
+    /// Of these, the hidden ones.
+    pub hidden_meshlets: u32,
+}
+
+/// Draws batches of meshlets from front to back, and leaves out those whose boxes are hidden behind what was
+/// drawn before, in this draw or earlier: the same picture as [`draw_meshlets`](super::draw_meshlets), in
+/// less time where much is hidden. With ids, of two triangles at the same depth another one may win, as the order
+/// is another.
+///
+/// The triangles left out are counted as [hidden](crate::CulledCounts::hidden), whatever else might be said of
+/// them. `order` is scratch memory, at least as long as there are batches. For the rest, see `draw_meshlets`.
+///
+/// # Errors
+///
+/// [`DrawError`], before anything is written: [`DrawError::TooManyIds`], [`DrawError::OutsideAttachment`] and
+/// [`DrawError::ScratchTooSmall`].
+#[expect(clippy::too_many_arguments, reason = "as many as there are things to say")]
+pub fn draw_batches<A: RowAttachment + Occluder>(
+    level: Level,
+    batches: &[Batch],
+    meshlets: &[Meshlet],
+    matrix: [[f32; 4]; 4],
+    viewport: Viewport<Standard>,
+    order: &mut [BatchOrder],
+    scratch: &mut MeshletScratch,
+    first_id: u32,
+    state: &State<Standard>,
+    attachments: &mut A,
+) -> Result<(Statistics, Occlusion), DrawError> {
+    let camera = ModelPositions::new(&[], matrix, viewport);
+    let members = || batches.iter().flat_map(|batch| batch.meshlets(meshlets));
+    let ids = members().map(|m| m.first() as usize + m.corners().len()).max().unwrap_or(0);
+    draw::check_draw(&camera, ids, first_id, state, attachments)?;
+    let triangles = members().map(|m| m.corners().len()).sum();
+    let (submitted, area) = draw::check_draw(&camera, triangles, 0, state, attachments)?;
+    let (needed, given) = (batches.len(), order.len());
+    let order = order.get_mut(..needed).ok_or(DrawError::ScratchTooSmall { needed, given })?;
+    let mut statistics = Statistics { submitted, ..Statistics::default() };
+    let Some(area) = area else {
+        statistics.culled.outside = submitted;
+        return Ok((statistics, Occlusion::default()));
+    };
+    let frustum = Frustum::new(&matrix);
+    let mut outside = 0;
+    let order = sort(batches, &matrix, order, |batch| {
+        let excluded = frustum.excludes_box(batch.corners());
+        if excluded {
+            outside += triangles_of(batch.meshlets(meshlets));
+        }
+        !excluded
+    });
+    statistics.culled.outside = outside;
+    let order = order.iter().filter_map(|key| batches.get(key.0 as u32 as usize));
+    let pass = Pass { meshlets, matrix: &matrix, viewport: &viewport, first_id, area, state };
+    let mut occlusion = Occlusion::default();
+    match level.0.filter(|_| attachments.fast()) {
+        Some(vectors) => dispatch!(vectors, simd => {
+            simd.vectorize(
+                #[inline(always)]
+                || {
+                    let mut drawing = Vectors {
+                        simd,
+                        pass,
+                        camera: &camera,
+                        lanes: VertexLanes::new(simd, &camera),
+                        culling: Culling::new(simd, area, state),
+                        queues: Scratch::EMPTY.clone(),
+                        scratch,
+                    };
+                    drawing.scratch.clear();
+                    pass.run::<VectorLanes<_>, A>(
+                        simd, order, &mut occlusion, &mut statistics, attachments,
+                        #[inline(always)]
+                        |number, meshlet, attachments, statistics| {
+                            drawing.add(number, meshlet, attachments, statistics);
+                        },
+                    );
+                    drawing.flush(attachments, &mut statistics);
+                },
+            );
+        }),
+        None => pass.run::<ArrayLanes, A>(
+            (),
+            order,
+            &mut occlusion,
+            &mut statistics,
+            attachments,
+            |_, meshlet, attachments, statistics| {
+                let positions = MeshletPositions { meshlet, camera: &camera };
+                let first = first_id.saturating_add(meshlet.first());
+                let indices = meshlet.corners().as_flattened();
+                // Nothing is wrong with it that was not found above.
+                if let Ok(drawn) = draw::draw(&positions, indices, first, state, attachments) {
+                    *statistics += Statistics { submitted: 0, ..drawn };
+                }
+            },
+        ),
+    }
+    Ok((statistics, occlusion))
+}
+
+/// Batches by their nearest corner, then by their place.
+fn sort<'o>(
+    batches: &[Batch],
+    matrix: &[[f32; 4]; 4],
+    order: &'o mut [BatchOrder],
+    mut keep: impl FnMut(&Batch) -> bool,
+) -> &'o [BatchOrder] {
+    let mut kept = 0;
+    for (place, batch) in (0u64..).zip(batches) {
+        if keep(batch)
+            && let Some(key) = order.get_mut(kept)
+        {
+            // Floats that are not negative have the order of their bits; NaN becomes 0.
+            key.0 = u64::from(batch.distance(matrix).max(0.0).to_bits()) << 32 | place;
+            kept += 1;
+        }
+    }
+    let order = order.get_mut(..kept).unwrap_or_default();
+    order.sort_unstable_by_key(|key| key.0);
+    order
+}
+
+/// What stays the same in a draw.
+#[derive(Clone, Copy)]
+struct Pass<'a> {
+    meshlets: &'a [Meshlet],
+    matrix: &'a [[f32; 4]; 4],
+    viewport: &'a Viewport<Standard>,
+    first_id: u32,
+    area: Region<Standard>,
+    state: &'a State<Standard>,
+}
+
+impl<'a> Pass<'a> {
+    /// Hands the meshlets that are neither outside nor hidden to `draw`.
+    #[inline(always)]
+    fn run<L: Lanes, A: RowAttachment + Occluder>(
+        &self,
+        token: L::Token,
+        order: impl Iterator<Item = &'a Batch>,
+        occlusion: &mut Occlusion,
+        statistics: &mut Statistics,
+        attachments: &mut A,
+        mut draw: impl FnMut(u32, &'a Meshlet, &mut A, &mut Statistics),
+    ) {
+        let frustum = Frustum::new(self.matrix);
+        for batch in order {
+            let members = batch.meshlets(self.meshlets);
+            occlusion.batches += 1;
+            if self.is_hidden::<L, A>(token, batch.corners(), attachments) {
+                occlusion.hidden_batches += 1;
+                statistics.culled.hidden += triangles_of(members);
+                continue;
+            }
+            for (number, meshlet) in (batch.first()..).zip(members) {
+                let corners = [meshlet.low, meshlet.high];
+                let count = meshlet.corners().len() as u32;
+                if frustum.excludes_box(corners) {
+                    statistics.culled.outside += count;
+                    continue;
+                }
+                occlusion.meshlets += 1;
+                if self.is_hidden::<L, A>(token, corners, attachments) {
+                    occlusion.hidden_meshlets += 1;
+                    statistics.culled.hidden += count;
+                    continue;
+                }
+                draw(number, meshlet, attachments, statistics);
+            }
+        }
+    }
+
+    /// Whether nothing in a box would be seen.
+    #[inline(always)]
+    fn is_hidden<L: Lanes, A: Occluder>(
+        &self,
+        token: L::Token,
+        corners: [[f32; 3]; 2],
+        attachments: &mut A,
+    ) -> bool {
+        match self.viewport.bound_box(self.matrix, corners, self.state.sample) {
+            Bound::Nothing => true,
+            Bound::Within { area, depths } => match area.intersect(self.area) {
+                Some(area) => attachments.hides::<L>(token, area, depths),
+                None => true,
+            },
+            Bound::Anything => false,
+        }
+    }
+}
+
+fn triangles_of(meshlets: &[Meshlet]) -> u32 {
+    meshlets.iter().map(|meshlet| meshlet.corners().len() as u32).sum()
+}
+
+/// A draw in vector registers, of some meshlets at a time.
+struct Vectors<'a, S: Simd> {
+    simd: S,
+    pass: Pass<'a>,
+    camera: &'a ModelPositions<'a, Standard>,
+    lanes: VertexLanes<S>,
+    culling: Culling<S>,
+    queues: Scratch,
+    scratch: &'a mut MeshletScratch,
+}
+
+impl<S: Simd> Vectors<'_, S> {
+    #[inline(always)]
+    fn add<A: RowAttachment>(
+        &mut self,
+        number: u32,
+        meshlet: &Meshlet,
+        attachments: &mut A,
+        statistics: &mut Statistics,
+    ) {
+        self.scratch.add(self.simd, &self.lanes, meshlet, number);
+        if !self.scratch.has_room() {
+            self.flush(attachments, statistics);
+        }
+    }
+
+    /// Draws what is there.
+    #[inline(always)]
+    fn flush<A: RowAttachment>(&mut self, attachments: &mut A, statistics: &mut Statistics) {
+        let Pass { meshlets, first_id, area, state, .. } = self.pass;
+        let scratch = &*self.scratch;
+        let drawing = Drawing {
+            simd: self.simd,
+            records: Records { places: scratch.places(), depths: scratch.depths() },
+            triangles: scratch.triangles(),
+            source: InView { scratch, meshlets, camera: self.camera, first_id },
+            area,
+            state,
+        };
+        drawing.run(&self.culling, &mut self.queues, attachments, statistics);
+        self.scratch.clear();
+    }
+}
