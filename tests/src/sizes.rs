@@ -38,6 +38,8 @@ table! {
     ORDERS = 1_500;
     /// Depth tests against a model, for each comparison.
     DEPTH_TEST = 120;
+    /// Questions to hierarchical depth, for each comparison.
+    HIERARCHY = 1_000;
     /// Whole scenes against the reference's picture.
     SCENE = 120;
     /// The same scene through every entry point.

@@ -11,6 +11,7 @@ mod entry;
 mod enumeration;
 mod errors;
 mod goldens;
+mod hierarchical;
 mod issues;
 mod lanes;
 mod layers;

@@ -15,6 +15,7 @@ pub mod errors;
 pub mod exhaustive;
 #[cfg(feature = "simd")]
 pub mod fast_triangles;
+pub mod hierarchical;
 pub mod lanes;
 #[cfg(feature = "simd")]
 pub mod meshlets;

@@ -1,0 +1,210 @@
+//! What hierarchical depth says is hidden, against every pixel.
+
+use crate::{Failure, Frame, ensure, ensure_eq, failure::Verdict, shapes::Random, strategies::Shot};
+use halfplane::{
+    Compare, DepthFormat, DepthRange, DepthTest, Format, HierarchicalDepth, Region, StorageError,
+    depth_ranges, draw, texels,
+};
+use halfplane_reference::DepthSpec;
+
+/// Answers of both kinds.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Answers {
+    /// How often something was hidden.
+    pub hidden: u64,
+    /// How often not.
+    pub seen: u64,
+}
+
+/// Whether a depth passes against a stored one.
+const fn passes(compare: Compare, depth: i64, stored: i64) -> bool {
+    match compare {
+        Compare::Less => depth < stored,
+        Compare::LessEqual => depth <= stored,
+        Compare::Greater => depth > stored,
+        Compare::GreaterEqual => depth >= stored,
+        Compare::Always => true,
+    }
+}
+
+/// Asks between draws, of depths close to the stored ones, and compares each answer with what the stored depths say
+/// one by one; whatever was there before, and whatever was asked before.
+pub fn answers_are_those_of_the_pixels<F: Format, D: DepthFormat<F>>(
+    frame: &Frame,
+    shots: &[Shot],
+    test: DepthTest,
+    spec: DepthSpec,
+    seed: u64,
+) -> Result<Answers, Failure> {
+    let mut random = Random(seed);
+    let region = frame.core_region()?;
+    let (width, height) = (frame.width(), frame.height());
+    let mut storage = vec![[D::FAR, D::NEAR][random.below(2)]; texels(width, height)];
+    // What ranges hold before is of no account, nor are those beyond the last.
+    let mut ranges = vec![DepthRange::UNKNOWN; depth_ranges(width, height) + random.below(3)];
+    let mut answers = Answers::default();
+    for _ in 0..2 {
+        let mut depth = HierarchicalDepth::<F, D>::new(region, &mut storage, &mut ranges, test)?;
+        if random.below(3) == 0 {
+            depth.clear([D::FAR, D::NEAR][random.below(2)]);
+        }
+        let vertices = super::scene::vertices::<F>(shots)?;
+        for (at, shot) in shots.iter().enumerate() {
+            let first = 3 * at as u32;
+            draw(&vertices[..], &[first, first + 1, first + 2], 0, &frame.state()?, &mut depth)?;
+            for _ in 0..random.below(6) {
+                let question = Question::new(frame, shot, &mut random);
+                let Some(area) = question.region::<F>() else { continue };
+                let expected = question.is_hidden(&depth, test.compare, spec);
+                ensure_eq!(depth.hides(area, question.nearest), expected, "{question:?} under {test:?}");
+                if expected {
+                    answers.hidden += 1;
+                } else {
+                    answers.seen += 1;
+                }
+            }
+            if random.below(8) == 0 {
+                depth.clear([D::FAR, D::NEAR][random.below(2)]);
+            }
+        }
+    }
+    Ok(answers)
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Question {
+    area: [u32; 4],
+    /// In units of 2^-32.
+    nearest: u32,
+}
+
+impl Question {
+    /// About an area in the frame's region or over its ends, of any size, and a depth close to those of a triangle.
+    fn new(frame: &Frame, shot: &Shot, random: &mut Random) -> Self {
+        let [x0, y0, x1, y1] = frame.region;
+        let mut side = |from: u32, to: u32| {
+            let size = to - from;
+            if random.below(20) == 0 {
+                return [to, to + 1 + random.below(40) as u32];
+            }
+            let first = (from + random.below(size as usize) as u32).saturating_sub(random.below(4) as u32);
+            let end = match random.below(4) {
+                0 => first + 1 + random.below(4) as u32,
+                1 => to + random.below(20) as u32,
+                _ => first + 1 + random.below(size as usize) as u32,
+            };
+            // Often whole squares, counted from the region's corner.
+            let grid = |v: u32| from + (v.saturating_sub(from)) / 16 * 16;
+            if random.below(2) == 0 { [grid(first), grid(end).max(grid(first) + 1)] } else { [first, end] }
+        };
+        let ([left, right], [top, bottom]) = (side(x0, x1), side(y0, y1));
+        let depth = shot.z[random.below(3)];
+        let unit = [1, 1 << 16][random.below(2)];
+        let near = random.below(9) as i64 - 4;
+        let nearest = match random.below(6) {
+            0 => random.bits() as u32,
+            1 => [0, u32::MAX][random.below(2)],
+            _ => (i64::from(depth) + near * unit).clamp(0, u32::MAX.into()) as u32,
+        };
+        Self { area: [left, top, right, bottom], nearest }
+    }
+
+    fn region<F: Format>(&self) -> Option<Region<F>> {
+        let [x0, y0, x1, y1] = self.area;
+        Region::new(x0, y0, x1, y1).ok()
+    }
+
+    /// A fragment's depth may be one unit before its vertices'; it must pass nowhere.
+    fn is_hidden<F: Format, D: DepthFormat<F>>(
+        &self,
+        depth: &HierarchicalDepth<'_, F, D>,
+        compare: Compare,
+        spec: DepthSpec,
+    ) -> bool {
+        if compare == Compare::Always {
+            return false;
+        }
+        let [vertex, ..] = crate::oracle::vertex_depths([self.nearest; 3], spec);
+        let nearer = match compare {
+            Compare::Less | Compare::LessEqual => i64::from(vertex) - 1,
+            _ => i64::from(vertex) + 1,
+        };
+        let [x0, y0, x1, y1] = self.area;
+        let stored = (y0..y1).flat_map(|y| (x0..x1).filter_map(move |x| depth.depth().get(x, y)));
+        stored.into_iter().all(|stored| !passes(compare, nearer, i64::from(stored.into())))
+    }
+}
+
+/// What is hidden by its bound would not have changed a pixel: drawn after all, it does not.
+pub fn hidden_triangles_change_nothing<F: Format, D: DepthFormat<F>>(
+    frame: &Frame,
+    shots: &[Shot],
+    test: DepthTest,
+) -> Result<Answers, Failure> {
+    let region = frame.core_region()?;
+    let (width, height) = (frame.width(), frame.height());
+    let clear = match test.compare {
+        Compare::Greater | Compare::GreaterEqual => D::NEAR,
+        _ => D::FAR,
+    };
+    let mut storage = vec![clear; texels(width, height)];
+    let mut ranges = vec![DepthRange::UNKNOWN; depth_ranges(width, height)];
+    let mut depth = HierarchicalDepth::<F, D>::new(region, &mut storage, &mut ranges, test)?;
+    depth.clear(clear);
+    let state = frame.state()?;
+    let vertices = super::scene::vertices::<F>(shots)?;
+    let mut answers = Answers::default();
+    let mut before = vec![clear; (width * height) as usize];
+    let mut after = before.clone();
+    for (at, shot) in shots.iter().enumerate() {
+        let Some(area) = bounds(&shot.corners) else { continue };
+        let nearest = match test.compare {
+            Compare::Greater | Compare::GreaterEqual => shot.z.iter().max(),
+            _ => shot.z.iter().min(),
+        };
+        let hidden = depth.hides(area, nearest.copied().unwrap_or(0));
+        let first = 3 * at as u32;
+        depth.depth().to_linear(&mut before)?;
+        draw(&vertices[..], &[first, first + 1, first + 2], 0, &state, &mut depth)?;
+        depth.depth().to_linear(&mut after)?;
+        ensure!(!hidden || before == after, "a hidden triangle is seen: {shot:?}");
+        if hidden {
+            answers.hidden += 1;
+        } else {
+            answers.seen += 1;
+        }
+    }
+    Ok(answers)
+}
+
+/// The pixels that a triangle may cover.
+fn bounds<F: Format>(corners: &[[i32; 2]; 3]) -> Option<Region<F>> {
+    let [xs, ys] = [0, 1].map(|axis| corners.map(|corner| corner[axis]));
+    let pixel = |v: i32| (v >> F::SUBPIXEL_BITS).clamp(0, F::MAX_TARGET as i32) as u32;
+    let end = |v: i32| (pixel(v) + 1).min(F::MAX_TARGET);
+    let least = |v: [i32; 3]| v[0].min(v[1]).min(v[2]);
+    let most = |v: [i32; 3]| v[0].max(v[1]).max(v[2]);
+    Region::new(pixel(least(xs)), pixel(least(ys)), end(most(xs)), end(most(ys))).ok()
+}
+
+/// Memory that is too short is refused, and told how long it must be.
+pub fn short_memory_is_refused(width: u32, height: u32, less: usize) -> Verdict {
+    let region = Region::<halfplane::Standard>::of_size(width, height)?;
+    let needed =
+        (width.div_ceil(16) * height.div_ceil(16) + width.div_ceil(64) * height.div_ceil(64)) as usize;
+    ensure_eq!(depth_ranges(width, height), needed, "ranges of {width} x {height}");
+    let given = needed - 1 - less % needed;
+    let mut storage = vec![0; texels(width, height)];
+    let mut ranges = vec![DepthRange::UNKNOWN; given];
+    let error =
+        HierarchicalDepth::<halfplane::Standard>::new(region, &mut storage, &mut ranges, DepthTest::LESS);
+    ensure_eq!(error.err(), Some(StorageError::BufferTooSmall { needed, given }), "{given} ranges");
+    let mut ranges = vec![DepthRange::UNKNOWN; needed];
+    let short = &mut storage[1..];
+    let error = HierarchicalDepth::<halfplane::Standard>::new(region, short, &mut ranges, DepthTest::LESS);
+    ensure!(
+        matches!(error, Err(StorageError::BufferTooSmall { .. })),
+        "a texel is missing, and nothing said"
+    );
+    Ok(())
+}
