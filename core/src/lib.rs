@@ -60,6 +60,7 @@
 )]
 
 pub mod attachments;
+pub mod bins;
 pub mod draw;
 pub mod geometry;
 pub mod lanes;

@@ -88,6 +88,12 @@ table! {
     MESHLET_ALONE = 40;
     /// Meshes that are refused.
     MESHLET_ERRORS = 100;
+    /// Whole frames of batches at every vector level.
+    BATCH_FRAME = 500;
+    /// Whole frames of many batches.
+    BATCH_MANY = 40;
+    /// Boxes and spheres against what is in them.
+    BOUND = 3_000;
     /// Edges of large triangles.
     CROSSINGS = 4_000;
     /// Parts of each of the long enumerations.

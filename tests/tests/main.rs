@@ -1,6 +1,8 @@
 //! The drivers: each test hands cases of one engine to properties of the library.
 
 mod attachments;
+#[cfg(feature = "simd")]
+mod batches;
 mod bounds;
 mod clipping;
 #[cfg(feature = "simd")]

@@ -122,7 +122,7 @@ where
 
 /// The pixels that a window triangle may cover; first what costs least to find out.
 #[inline(always)]
-fn bounds<F: Format>(
+pub(crate) fn bounds<F: Format>(
     vertices: [Vertex<F>; 3],
     area: Region<F>,
     state: &State<F>,

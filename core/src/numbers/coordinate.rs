@@ -12,6 +12,9 @@ pub struct Coordinate<F> {
 }
 
 impl<F: Format> Coordinate<F> {
+    /// The target's origin.
+    pub const ZERO: Self = Self { steps: 0, format: PhantomData };
+
     /// The coordinate of that many steps; `None` outside the guard band.
     #[must_use]
     pub const fn from_steps(steps: i32) -> Option<Self> {

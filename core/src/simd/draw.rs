@@ -133,7 +133,7 @@ pub fn draw_meshlets<A: RowAttachment>(
         simd.vectorize(
             #[inline(always)]
             || {
-                let frustum = Frustum::new(&matrix);
+                let frustum = Frustum::of_area(&matrix, &viewport, area);
                 let lanes = VertexLanes::new(simd, &camera);
                 let culling = Culling::new(simd, area, state);
                 let mut queues = Scratch::EMPTY.clone();

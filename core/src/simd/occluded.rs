@@ -44,6 +44,9 @@ pub struct Occlusion {
 /// less time where much is hidden. With ids, of two triangles at the same depth another one may win, as the order
 /// is another.
 ///
+/// Depths are looked at as far as they are written, and vector registers draw several meshlets at a time: which of
+/// them are hidden is not the same at [`Level::FALLBACK`].
+///
 /// The triangles left out are counted as [hidden](crate::CulledCounts::hidden), whatever else might be said of
 /// them. `order` is scratch memory, at least as long as there are batches. For the rest, see `draw_meshlets`.
 ///
@@ -77,7 +80,7 @@ pub fn draw_batches<A: RowAttachment + Occluder>(
         statistics.culled.outside = submitted;
         return Ok((statistics, Occlusion::default()));
     };
-    let frustum = Frustum::new(&matrix);
+    let frustum = Frustum::of_area(&matrix, &viewport, area);
     let mut outside = 0;
     let order = sort(batches, &matrix, order, |batch| {
         let excluded = frustum.excludes_box(batch.corners());
@@ -181,7 +184,7 @@ impl<'a> Pass<'a> {
         attachments: &mut A,
         mut draw: impl FnMut(u32, &'a Meshlet, &mut A, &mut Statistics),
     ) {
-        let frustum = Frustum::new(self.matrix);
+        let frustum = Frustum::of_area(self.matrix, self.viewport, self.area);
         for batch in order {
             let members = batch.meshlets(self.meshlets);
             occlusion.batches += 1;

@@ -1,5 +1,8 @@
 //! Boxes and spheres against the view frustum, never wrong about one that is left out.
 
+use super::viewport::Viewport;
+use crate::{geometry::Region, numbers::Format};
+
 /// The view frustum of a matrix: x >= -w, x <= w, y >= -w, y <= w, z >= 0, z <= w and w >= 0, as planes of object
 /// space.
 ///
@@ -17,13 +20,40 @@ pub struct Frustum {
 /// Of magnitudes: more than all rounding.
 const MARGIN: f32 = 1.0 / 524_288.0;
 
+/// Pixels round an area that are taken for inside: more than snapping and rounding move a vertex.
+const PIXELS: f32 = 0.25;
+
 impl Frustum {
     /// Of a matrix in rows, as in [`ModelPositions`](super::ModelPositions).
     #[inline(always)]
     #[must_use]
     pub fn new(matrix: &[[f32; 4]; 4]) -> Self {
+        Self::between(matrix, [-1.0, 1.0, -1.0, 1.0])
+    }
+
+    /// Of the part of a viewport that is in `area`: a scissor, or one thread's band. What it leaves out is outside
+    /// the area in every draw.
+    #[inline(always)]
+    #[must_use]
+    pub fn of_area<F: Format>(matrix: &[[f32; 4]; 4], viewport: &Viewport<F>, area: Region<F>) -> Self {
+        let ([half_width, half_height], [center_x, center_y]) = (viewport.half_size(), viewport.center());
+        let [x0, y0, x1, y1] = [area.x0(), area.y0(), area.x1(), area.y1()].map(|v| v as f32);
+        let ends = [
+            (x0 - PIXELS - center_x) / half_width,
+            (x1 + PIXELS - center_x) / half_width,
+            (center_y - y1 - PIXELS) / half_height,
+            (center_y - y0 + PIXELS) / half_height,
+        ];
+        Self::between(matrix, ends.map(|end| end.clamp(-1.0, 1.0)))
+    }
+
+    /// Of what has left w <= x <= right w and bottom w <= y <= top w.
+    #[inline(always)]
+    fn between(matrix: &[[f32; 4]; 4], [left, right, bottom, top]: [f32; 4]) -> Self {
         // 0 in a lane without a plane.
-        let row = |[x, y, z, w]: [f32; 4]| [w + x, w - x, w + y, w - y, z, w - z, w, 0.0];
+        let row = |[x, y, z, w]: [f32; 4]| {
+            [x - left * w, right * w - x, y - bottom * w, top * w - y, z, w - z, w, 0.0]
+        };
         let size = |row: [f32; 4]| {
             let [x, y, z, w] = row.map(f32::abs);
             [w + x, w + x, w + y, w + y, z, w + z, w, 0.0]

@@ -11,7 +11,7 @@ use crate::{
 };
 
 /// Pixels in a tile's width and height.
-pub(super) const TILE: u32 = 64;
+pub(crate) const TILE: u32 = 64;
 
 /// Pixels in a square's width and height.
 pub(super) const SQUARE: u32 = TILE / 4;

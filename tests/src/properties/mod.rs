@@ -1,5 +1,7 @@
 //! The properties: plain functions of plain inputs, no engine in them.
 
+#[cfg(feature = "simd")]
+pub mod batches;
 pub mod clipping;
 pub mod coverage;
 pub mod crossing;

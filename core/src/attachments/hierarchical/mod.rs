@@ -15,10 +15,10 @@ use crate::{
     geometry::{Region, Triangle},
     lanes::{ArrayLanes, Lanes},
     numbers::Format,
-    traversal::Mask,
+    traversal::{Mask, TILE},
 };
 use limit::Limit;
-use range::{SQUARE, Squares, TILE};
+use range::{SQUARE, Squares};
 
 /// A [`Depth`] that can tell whether something behind it would be hidden, without drawing it.
 ///

@@ -1,8 +1,9 @@
 //! The ranges of depth of a region's squares.
 
-/// Pixels in the width and height of a square, and of a tile of 4x4 squares.
-pub(super) const SQUARE: u32 = 16;
-pub(super) const TILE: u32 = 4 * SQUARE;
+use crate::traversal::TILE;
+
+/// Pixels in the width and height of a square: 16 of them are a tile.
+pub(super) const SQUARE: u32 = TILE / 4;
 
 /// Memory for what is known of the depths in a square or a tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

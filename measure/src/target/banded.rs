@@ -1,0 +1,119 @@
+//! Frames drawn by several threads, each a band of the picture at a time.
+
+use std::num::NonZeroUsize;
+
+use halfplane::simd::{MeshletScratch, draw_meshlets};
+use halfplane::{Depth, DepthTest, Ids, NO_ID, Region, Standard, State, Viewport, texels};
+use rayon::prelude::*;
+
+use super::{Prepared, TargetError, rows_of};
+use crate::Matrix;
+use crate::buffer::Buffer;
+use crate::level::Level;
+
+/// Bands for each thread: those who are done early take another's.
+const BANDS: usize = 4;
+
+/// What such a frame needs beside the matrix: depth, and ids where they are asked for.
+pub struct Banded<'m> {
+    prepared: &'m Prepared,
+    state: State<Standard>,
+    viewport: Viewport<Standard>,
+    depths: Buffer<u32>,
+    ids: Option<Buffer<u32>>,
+    /// Rows of pixels in a band, a multiple of 4.
+    band: u32,
+    threads: rayon::ThreadPool,
+}
+
+impl<'m> Banded<'m> {
+    /// For a mesh's meshlets and so many threads; the picture is the state's scissor.
+    ///
+    /// # Errors
+    ///
+    /// [`TargetError::Threads`] where there are none to be had.
+    pub fn new(
+        prepared: &'m Prepared,
+        state: &State<Standard>,
+        threads: NonZeroUsize,
+        with_ids: bool,
+    ) -> Result<Self, TargetError> {
+        let (width, height) = (state.scissor.width(), state.scissor.height());
+        let bands = if threads.get() == 1 { 1 } else { threads.get().saturating_mul(BANDS) };
+        let band = (height as usize).div_ceil(bands).next_multiple_of(16) as u32;
+        let threads = rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build();
+        Ok(Self {
+            prepared,
+            state: *state,
+            viewport: Viewport::new(state.scissor),
+            depths: Buffer::new(texels(width, height), u32::MAX),
+            ids: with_ids.then(|| Buffer::new(texels(width, height), NO_ID)),
+            band,
+            threads: threads.map_err(|error| TargetError::Threads(error.to_string()))?,
+        })
+    }
+
+    /// Everything from positions and a matrix to finished buffers.
+    ///
+    /// # Errors
+    ///
+    /// [`TargetError`] where the rasterizer refuses; if not the first time, then never.
+    pub fn frame(&mut self, level: Level, matrix: &Matrix) -> Result<(), TargetError> {
+        let Self { prepared, state, viewport, depths, ids, band, threads } = self;
+        let (area, rows) = (state.scissor, rows_of(matrix));
+        let texels = texels(area.width(), *band);
+        let bands: Vec<(u32, &mut [u32])> =
+            (area.y0()..).step_by(*band as usize).zip(depths.as_mut_slice().chunks_mut(texels)).collect();
+        let ids: Vec<Option<&mut [u32]>> = match ids {
+            Some(ids) => ids.as_mut_slice().chunks_mut(texels).map(Some).collect(),
+            None => bands.iter().map(|_| None).collect(),
+        };
+        let draw = |scratch: &mut Box<MeshletScratch>, ((y, depths), ids): ((u32, &mut [u32]), Option<&mut [u32]>)| {
+            let end = area.y1().min(y + *band);
+            // Not empty: there is storage for a row of it.
+            let Ok(region) = Region::new(area.x0(), y, area.x1(), end) else { return Ok(()) };
+            let state = State { scissor: region, ..*state };
+            let mut depth = Depth::<Standard>::new(region, depths, DepthTest::LESS)?;
+            depth.clear(u32::MAX);
+            let meshlets = prepared.meshlets();
+            match ids {
+                Some(ids) => {
+                    let mut ids = Ids::new(region, ids)?;
+                    ids.clear();
+                    let mut both = (&mut depth, &mut ids);
+                    draw_meshlets(level, meshlets, rows, *viewport, scratch, 0, &state, &mut both)?;
+                }
+                None => {
+                    draw_meshlets(level, meshlets, rows, *viewport, scratch, 0, &state, &mut depth)?;
+                }
+            }
+            Ok(())
+        };
+        threads.install(|| bands.into_par_iter().zip(ids).try_for_each_init(Box::default, draw))
+    }
+
+    /// The depths in rows from the top.
+    ///
+    /// # Errors
+    ///
+    /// None that a target can have.
+    pub fn depth_rows(&mut self) -> Result<Vec<u32>, TargetError> {
+        let region = self.state.scissor;
+        let mut rows = vec![0; region.width() as usize * region.height() as usize];
+        Depth::<Standard>::new(region, self.depths.as_mut_slice(), DepthTest::LESS)?.to_linear(&mut rows)?;
+        Ok(rows)
+    }
+
+    /// The ids in rows from the top; none where none are drawn.
+    ///
+    /// # Errors
+    ///
+    /// None that a target can have.
+    pub fn id_rows(&mut self) -> Result<Vec<u32>, TargetError> {
+        let region = self.state.scissor;
+        let Some(ids) = &mut self.ids else { return Ok(Vec::new()) };
+        let mut rows = vec![NO_ID; region.width() as usize * region.height() as usize];
+        Ids::<Standard>::new(region, ids.as_mut_slice())?.to_linear(&mut rows)?;
+        Ok(rows)
+    }
+}

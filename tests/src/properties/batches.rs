@@ -1,0 +1,383 @@
+//! Batches that are drawn from front to back, what is hidden left out, are the mesh's picture.
+
+use super::{
+    simd::{Case, Storage, levels},
+    statistics::add_up,
+};
+use crate::{Failure, ensure, ensure_eq, failure::Verdict, shapes::{Projection, Random}};
+use halfplane::{
+    Bound, Compare, Coverage, D16, D32, Depth, DepthFormat, DepthRange, DepthTest, DrawError, Frustum,
+    HierarchicalDepth, Ids, Index as _, ModelPositions, Region, Standard, State, Statistics, Viewport,
+    depth_ranges, draw,
+    numbers::{DEPTH32_MAX, DEPTH32_MIN},
+    simd::{
+        Batch, BatchOrder, Level, Meshlet, MeshletError, MeshletScratch, Occlusion, cluster, draw_batches,
+        make_batches, make_meshlets, max_batches, max_meshlets,
+    },
+};
+
+/// A mesh in meshlets and batches, its triangles in another order.
+struct Batched {
+    indices: Vec<u32>,
+    meshlets: Vec<Meshlet>,
+    batches: Vec<Batch>,
+}
+
+impl Batched {
+    fn new(positions: &[[f32; 3]], indices: &[u32]) -> Result<Self, Failure> {
+        let mut indices = indices.to_vec();
+        cluster(positions, &mut indices)?;
+        let mut meshlets = vec![Meshlet::EMPTY; max_meshlets(indices.len() / 3)];
+        let count = make_meshlets(positions, &indices, &mut meshlets)?.len();
+        meshlets.truncate(count);
+        let mut batches = vec![Batch::EMPTY; max_batches(count)];
+        make_batches(&meshlets, &mut batches)?;
+        Ok(Self { indices, meshlets, batches })
+    }
+}
+
+/// A triangle list's triangles in some order that does not depend on its own.
+fn sorted(indices: &[u32]) -> Vec<[u32; 3]> {
+    let mut triangles = indices.as_chunks::<3>().0.to_vec();
+    triangles.sort_unstable();
+    triangles
+}
+
+/// The same triangles come out, at places that are close where they are neighbours: boxes of runs are smaller than
+/// those of the list as it was, unless it was in order already.
+pub fn clusters_are_the_same_triangles(case: &Case) -> Verdict {
+    let mut indices = case.indices.clone();
+    cluster(&case.model.vertices, &mut indices)?;
+    ensure_eq!(sorted(&indices), sorted(&case.indices), "the triangles");
+    let mut wrong = case.indices.clone();
+    wrong.push(0);
+    let before = wrong.clone();
+    let error = cluster(&case.model.vertices, &mut wrong);
+    ensure_eq!(error, Err(DrawError::IndexCount { count: before.len() }), "one index more");
+    ensure_eq!(wrong, before, "a refused list");
+    Ok(())
+}
+
+/// A cloud of small triangles in any order: after clustering, meshlets have small boxes.
+pub fn clusters_are_small(triangles: usize, seed: u64) -> Verdict {
+    let mut random = Random(seed);
+    let mut place = || random.below(1 << 20) as f32 / 1024.0;
+    let positions: Vec<[f32; 3]> = (0..triangles)
+        .flat_map(|_| {
+            let [x, y, z] = [place(), place(), place()];
+            [[x, y, z], [x + 1.0, y, z], [x, y + 1.0, z]]
+        })
+        .collect();
+    let indices: Vec<u32> = (0..positions.len() as u32).collect();
+    let volume = |indices: &[u32]| -> f64 {
+        indices
+            .chunks(3 * 64)
+            .map(|run| {
+                let axes = [0, 1, 2].map(|axis| run.iter().map(move |&i| (axis, i)));
+                axes.into_iter()
+                    .map(|axis| {
+                        let values: Vec<f32> = axis.map(|(axis, i)| positions[i.to_usize()][axis]).collect();
+                        let least = values.iter().copied().fold(f32::INFINITY, f32::min);
+                        let most = values.iter().copied().fold(f32::NEG_INFINITY, f32::max);
+                        f64::from(most - least)
+                    })
+                    .product::<f64>()
+            })
+            .sum()
+    };
+    let before = volume(&indices);
+    let mut clustered = indices.clone();
+    cluster(&positions, &mut clustered)?;
+    ensure_eq!(sorted(&clustered), sorted(&indices), "the triangles");
+    // Each halving halves the boxes; they do not meet the runs exactly.
+    let halvings = (triangles as f64 / 64.0).log2().floor();
+    let after = volume(&clustered);
+    ensure!(
+        after <= before * 0.5f64.powf(halvings) * 4.0 + 1.0,
+        "boxes of {after} after, {before} before, for {triangles} triangles"
+    );
+    Ok(())
+}
+
+/// What a draw of batches left, and what it said.
+type Drawn = (Statistics, Occlusion);
+
+/// Draws batches at every level, and compares the depths with those of the mesh drawn by the scalar code; what each
+/// level says must be the same.
+fn at_every_level<D: DepthFormat<Standard>>(
+    case: &Case,
+    test: DepthTest,
+    memory: impl Fn(&mut Storage) -> &mut Vec<D::Texel>,
+) -> Result<Drawn, Failure>
+where
+    for<'a> Depth<'a, Standard, D>: halfplane::simd::RowAttachment,
+    for<'a> HierarchicalDepth<'a, Standard, D>: halfplane::simd::RowAttachment,
+{
+    let (positions, state, region) = (case.positions()?, case.state()?, case.frame.core_region()?);
+    let before = Storage::new(region, case.contents);
+    let mut expected = before.clone();
+    let mut depth = Depth::<Standard, D>::new(region, memory(&mut expected), test)?;
+    let wanted = draw(&positions, &case.indices, case.first_id, &state, &mut depth)?;
+    let batched = Batched::new(&case.model.vertices, &case.indices)?;
+    let mut scratch = MeshletScratch::NEW;
+    let mut order = vec![BatchOrder::default(); batched.batches.len() + case.attachments as usize % 3];
+    let mut ranges = vec![DepthRange::UNKNOWN; depth_ranges(region.width(), region.height())];
+    let mut said: Option<Drawn> = None;
+    let mut all = Drawn::default();
+    for level in levels() {
+        let what = format!("{} batches under {test:?}", level.name());
+        let mut given = before.clone();
+        let mut depth = HierarchicalDepth::<Standard, D>::new(region, memory(&mut given), &mut ranges, test)?;
+        let drawn = draw_batches(
+            level,
+            &batched.batches,
+            &batched.meshlets,
+            case.model.matrix,
+            viewport(case)?,
+            &mut order,
+            &mut scratch,
+            case.first_id,
+            &state,
+            &mut depth,
+        )?;
+        given.equals(&expected, &what)?;
+        add_up(&drawn.0, case.indices.len() / 3)?;
+        let rejected = drawn.0.rejected.total() + drawn.0.culled.hidden;
+        ensure!(rejected >= wanted.rejected.total(), "{what}: {} rejected", drawn.0.rejected.total());
+        ensure!(drawn.0.drawn <= wanted.drawn, "{what}: {} drawn of {}", drawn.0.drawn, wanted.drawn);
+        let Occlusion { batches, hidden_batches, meshlets, hidden_meshlets } = drawn.1;
+        ensure!(hidden_batches <= batches && hidden_meshlets <= meshlets, "{what}: {:?}", drawn.1);
+        // Several meshlets at a time are drawn from vectors, so others are hidden than from arrays.
+        if level.name() != Level::FALLBACK.name() {
+            ensure_eq!(*said.get_or_insert(drawn), drawn, "{what}, what is said");
+        }
+        all = drawn;
+    }
+    Ok(all)
+}
+
+fn viewport(case: &Case) -> Result<Viewport<Standard>, Failure> {
+    let [x0, y0, x1, y1] = case.viewport;
+    Ok(Viewport::new(Region::new(x0, y0, x1, y1)?))
+}
+
+/// The same depths, whatever was hidden.
+pub fn batches_are_the_mesh(case: &Case) -> Result<Drawn, Failure> {
+    // The last one wins, and which one is last the order decides.
+    let test = match case.test.compare {
+        Compare::Always => DepthTest { compare: Compare::Less, ..case.test },
+        _ => case.test,
+    };
+    if case.attachments % 4 == 0 {
+        at_every_level::<D16>(case, test, |storage| &mut storage.depths16)
+    } else {
+        at_every_level::<D32>(case, test, |storage| &mut storage.depths)
+    }
+}
+
+/// With ids: the depths are the mesh's, and so is the id wherever no other triangle is at the same depth. Coverage
+/// beside them is that of what was drawn, so no more than the mesh's.
+pub fn ids_of_batches_are_the_nearest(case: &Case) -> Result<Drawn, Failure> {
+    let (state, region) = (case.state()?, case.frame.core_region()?);
+    let batched = Batched::new(&case.model.vertices, &case.indices)?;
+    let positions = case.positions()?;
+    let mut scalar = [Compare::Less, Compare::LessEqual].map(|compare| (compare, Storage::new(region, 0)));
+    for (compare, storage) in &mut scalar {
+        let test = DepthTest { compare: *compare, write: true };
+        let coverage = Coverage::new(region, &mut storage.masks)?;
+        let depth = Depth::<Standard>::new(region, &mut storage.depths, test)?;
+        let mut all = (coverage, (depth, Ids::new(region, &mut storage.ids)?));
+        draw(&positions, &batched.indices, case.first_id, &state, &mut all)?;
+    }
+    let [(_, earlier), (_, later)] = &scalar;
+    let mut scratch = MeshletScratch::NEW;
+    let mut order = vec![BatchOrder::default(); batched.batches.len()];
+    let mut ranges = vec![DepthRange::UNKNOWN; depth_ranges(region.width(), region.height())];
+    let mut all_drawn = None;
+    for level in levels() {
+        let mut given = Storage::new(region, 0);
+        let depth =
+            HierarchicalDepth::<Standard>::new(region, &mut given.depths, &mut ranges, DepthTest::LESS)?;
+        let coverage = Coverage::new(region, &mut given.masks)?;
+        let mut all = (depth, (Ids::new(region, &mut given.ids)?, coverage));
+        let drawn = draw_batches(
+            level,
+            &batched.batches,
+            &batched.meshlets,
+            case.model.matrix,
+            viewport(case)?,
+            &mut order,
+            &mut scratch,
+            case.first_id,
+            &state,
+            &mut all,
+        )?;
+        ensure_eq!(given.depths, earlier.depths, "{} depths", level.name());
+        for (at, id) in given.ids.iter().enumerate() {
+            let (earlier, later) = (earlier.ids[at], later.ids[at]);
+            ensure!(earlier != later || *id == earlier, "{}: id {id} and not {earlier}", level.name());
+        }
+        for (at, mask) in given.masks.iter().enumerate() {
+            ensure_eq!(mask & !earlier.masks[at], 0, "{}: coverage of block {at}", level.name());
+        }
+        all_drawn = Some(drawn);
+    }
+    all_drawn.ok_or_else(|| Failure::new("no level"))
+}
+
+/// What is in a box covers no pixel outside its bound, at no depth outside, for boxes round some of the triangles.
+/// Whether the bound said anything of use.
+pub fn boxes_bound_what_they_hold(case: &Case) -> Result<bool, Failure> {
+    let (state, region) = (case.state()?, case.frame.core_region()?);
+    let mut random = Random(case.first_id.into());
+    let triangles = case.indices.as_chunks::<3>().0;
+    if triangles.is_empty() {
+        return Ok(false);
+    }
+    let first = random.below(triangles.len());
+    let last = (first + random.below(4)).min(triangles.len() - 1);
+    let mut corners = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];
+    let position = |corner: u32| case.model.vertices[corner as usize];
+    for corner in triangles[first..=last].as_flattened().iter().map(|&corner| position(corner)) {
+        if corner.iter().all(|v| v.is_finite()) {
+            for (axis, v) in corner.into_iter().enumerate() {
+                corners[0][axis] = corners[0][axis].min(v);
+                corners[1][axis] = corners[1][axis].max(v);
+            }
+        }
+    }
+    let [low, high] = corners;
+    if low[0] > high[0] {
+        return Ok(false);
+    }
+    let inside =
+        |corner: u32| (0..3).all(|a| low[a] <= position(corner)[a] && position(corner)[a] <= high[a]);
+    let held: Vec<u32> = triangles
+        .iter()
+        .filter(|corners| corners.iter().all(|&corner| inside(corner)))
+        .flatten()
+        .copied()
+        .collect();
+    let bound = viewport(case)?.bound_box(&case.model.matrix, corners, state.sample);
+    let (area, [nearest, farthest]) = match bound {
+        Bound::Anything => return Ok(false),
+        Bound::Nothing => (None, [0, u32::MAX]),
+        Bound::Within { area, depths } => (Some(area), depths),
+    };
+    let range = |depth: u32| depth.clamp(DEPTH32_MIN, DEPTH32_MAX);
+    for (compare, clear) in [(Compare::Less, u32::MAX), (Compare::Greater, 0)] {
+        let mut storage = Storage::new(region, 0);
+        let mut depth =
+            Depth::<Standard>::new(region, &mut storage.depths, DepthTest { compare, write: true })?;
+        depth.clear(clear);
+        draw(&case.positions()?, &held, 0, &state, &mut depth)?;
+        for (x, y) in case.frame.pixels() {
+            let stored = depth.get(x, y).unwrap_or(clear);
+            if stored == clear {
+                continue;
+            }
+            let inside =
+                area.is_some_and(|area| area.x0() <= x && x < area.x1() && area.y0() <= y && y < area.y1());
+            ensure!(inside, "({x}, {y}) is covered, but not in {bound:?}");
+            ensure!(
+                stored >= range(nearest) - 1 && stored <= range(farthest) + 1,
+                "({x}, {y}) has depth {stored}, outside {bound:?}"
+            );
+        }
+    }
+    Ok(true)
+}
+
+/// A box of one point is bound to the pixels next to it, and to depths next to its own: bounds are not loose.
+pub fn bounds_of_points_are_tight(point: [f32; 3], size: [u32; 2]) -> Verdict {
+    let region = Region::<Standard>::of_size(size[0], size[1])?;
+    let identity = [[1., 0., 0., 0.], [0., 1., 0., 0.], [0., 0., 1., 0.], [0., 0., 0., 1.]];
+    let state = State::new(region);
+    let viewport = Viewport::new(region);
+    let [x, y, z] = point;
+    let vertex = viewport.project([x, y, z, 1.0]).ok_or_else(|| Failure::new("no vertex"))?;
+    match viewport.bound_box(&identity, [point; 2], state.sample) {
+        Bound::Within { area, depths: [least, most] } => {
+            ensure!(area.width() <= 1 && area.height() <= 1, "{area:?} for {point:?} at {vertex:?}");
+            ensure!(least <= vertex.z() + 2 && vertex.z() <= most + 2, "{vertex:?} outside {least}..={most}");
+            ensure!(most - least < 1 << 18, "depths {least}..={most} for {vertex:?}");
+        }
+        Bound::Nothing => (),
+        Bound::Anything => return Err(Failure::new(format_args!("anything for {point:?}"))),
+    }
+    Ok(())
+}
+
+/// No point of a sphere that is left out is inside the frustum; spheres far outside are left out.
+pub fn spheres_left_out_are_outside(
+    case: &Case,
+    center: [f32; 3],
+    radius: f32,
+    seed: u64,
+) -> Result<bool, Failure> {
+    let frustum = Frustum::new(&case.model.matrix);
+    let excluded = frustum.excludes_sphere(center, radius);
+    // A box round it that is left out, and a little more, has the sphere in it; squares of ordinary numbers are
+    // ordinary.
+    let ends = [-1.0, 1.0].map(|sign| center.map(|v| v + sign * (radius * 1.01 + 0.01)));
+    let ordinary = !matches!(case.projection, Projection::Bits | Projection::Scaled);
+    ensure!(
+        excluded || !ordinary || !frustum.excludes_box(ends),
+        "the box of a sphere is outside, and the sphere not"
+    );
+    if !excluded {
+        return Ok(false);
+    }
+    let mut random = Random(seed);
+    for _ in 0..20 {
+        let mut direction = [0; 3].map(|_| random.below(2001) as f32 / 1000.0 - 1.0);
+        let length = direction.iter().map(|v| v * v).sum::<f32>().sqrt().max(1e-3) * 1.000_001;
+        direction = direction.map(|v| v / length * radius);
+        let [x, y, z] = [0, 1, 2].map(|axis| center[axis] + direction[axis]);
+        let vertices = [[x, y, z]];
+        let positions = ModelPositions::new(&vertices, case.model.matrix, viewport(case)?);
+        let [x, y, z, w] = positions.clip(0).ok_or_else(|| Failure::new("no vertex"))?;
+        let inside = x >= -w && x <= w && y >= -w && y <= w && z >= 0.0 && z <= w && w >= 0.0;
+        ensure!(!inside, "a point of a sphere that was left out is inside: {:?}", [x, y, z, w]);
+    }
+    Ok(true)
+}
+
+/// Memory that is too short is refused, and nothing is written.
+pub fn short_memory_is_refused(case: &Case) -> Verdict {
+    let (state, region) = (case.state()?, case.frame.core_region()?);
+    let Batched { meshlets, batches, .. } = Batched::new(&case.model.vertices, &case.indices)?;
+    let (needed, count) = (max_batches(meshlets.len()), batches.len());
+    ensure_eq!(count, needed, "batches");
+    if count == 0 {
+        return Ok(());
+    }
+    let mut few = vec![Batch::EMPTY; needed - 1];
+    let error = make_batches(&meshlets, &mut few).map(|_| ());
+    ensure_eq!(error, Err(MeshletError::TooFew { needed, given: needed - 1 }), "too few batches");
+    let before = Storage::new(region, case.contents);
+    let mut ranges = vec![DepthRange::UNKNOWN; depth_ranges(region.width(), region.height())];
+    let mut scratch = MeshletScratch::NEW;
+    for level in levels() {
+        let mut given = before.clone();
+        let mut depth =
+            HierarchicalDepth::<Standard>::new(region, &mut given.depths, &mut ranges, DepthTest::LESS)?;
+        let mut order = vec![BatchOrder::default(); count - 1];
+        let error = draw_batches(
+            level,
+            &batches,
+            &meshlets,
+            case.model.matrix,
+            viewport(case)?,
+            &mut order,
+            &mut scratch,
+            case.first_id,
+            &state,
+            &mut depth,
+        );
+        let expected = DrawError::ScratchTooSmall { needed: count, given: count - 1 };
+        ensure_eq!(error.err(), Some(expected), "{} order", level.name());
+        given.equals(&before, "after an error")?;
+    }
+    Ok(())
+}

@@ -1,0 +1,140 @@
+//! Batches, boxes and spheres at every level of this machine.
+
+use crate::simd::{Met, triangles};
+use halfplane::simd::Occlusion;
+use halfplane_tests::{
+    properties::{
+        batches::{
+            batches_are_the_mesh, bounds_of_points_are_tight, boxes_bound_what_they_hold, clusters_are_small,
+            clusters_are_the_same_triangles, ids_of_batches_are_the_nearest, short_memory_is_refused,
+            spheres_left_out_are_outside,
+        },
+        simd::Case,
+    },
+    run::check,
+    shapes::Kind,
+    sizes,
+    strategies::numbers,
+};
+use proptest::{array, prelude::*};
+use std::cell::Cell;
+
+/// Most triangles large, some of them over others, most views from the front.
+const LARGE: [Kind; 5] = [Kind::Medium, Kind::Medium, Kind::AxisAligned, Kind::GuardBand, Kind::Small];
+
+fn case(count: std::ops::RangeInclusive<usize>, kinds: &'static [Kind]) -> impl Strategy<Value = Case> {
+    (numbers::<12>(), numbers::<10>(), triangles(count))
+        .prop_map(|(place, how, triangles)| Case::from_numbers(place, how, &triangles, kinds))
+}
+
+/// What was asked and hidden in all cases.
+#[derive(Default)]
+struct Asked(Cell<Occlusion>);
+
+impl Asked {
+    fn count(&self, more: Occlusion) {
+        let sum = self.0.get();
+        self.0.set(Occlusion {
+            batches: sum.batches + more.batches,
+            hidden_batches: sum.hidden_batches + more.hidden_batches,
+            meshlets: sum.meshlets + more.meshlets,
+            hidden_meshlets: sum.hidden_meshlets + more.hidden_meshlets,
+        });
+    }
+
+    /// One in so many is hidden.
+    fn assert_hidden(&self, one_in: u32) {
+        let asked = self.0.get();
+        println!("{asked:?}");
+        let hidden = asked.hidden_batches + asked.hidden_meshlets;
+        assert!(hidden >= (asked.batches + asked.meshlets) / one_in, "{asked:?}");
+    }
+}
+
+#[test]
+fn frames_of_batches_are_those_of_the_mesh() {
+    let (met, asked) = (Met::default(), Asked::default());
+    check(sizes::BATCH_FRAME, case(0..=160, &Kind::ALL), |case| {
+        let (statistics, occlusion) = batches_are_the_mesh(&case)?;
+        met.count(statistics);
+        asked.count(occlusion);
+        Ok(())
+    });
+    met.assert_drawn(20);
+}
+
+/// More than fit into the scratch memory at a time, in several batches.
+#[test]
+fn frames_of_many_batches_are_those_of_the_mesh() {
+    let (met, asked) = (Met::default(), Asked::default());
+    check(sizes::BATCH_MANY, case(1500..=4000, &LARGE), |case| {
+        let (statistics, occlusion) = batches_are_the_mesh(&case)?;
+        met.count(statistics);
+        asked.count(occlusion);
+        Ok(())
+    });
+    met.assert_drawn(50);
+    asked.assert_hidden(50);
+}
+
+#[test]
+fn ids_of_batches_are_those_of_the_nearest() {
+    let asked = Asked::default();
+    check(sizes::BATCH_MANY, case(100..=2500, &LARGE), |case| {
+        asked.count(ids_of_batches_are_the_nearest(&case)?.1);
+        Ok(())
+    });
+    asked.assert_hidden(50);
+}
+
+#[test]
+fn clusters_have_the_same_triangles() {
+    check(sizes::MESHLET_ERRORS, case(0..=400, &Kind::ALL), |case| clusters_are_the_same_triangles(&case));
+}
+
+#[test]
+fn clusters_lie_close_together() {
+    check(sizes::MESHLET_ALONE, (64..4000usize, any::<u64>()), |(triangles, seed)| {
+        clusters_are_small(triangles, seed)
+    });
+}
+
+#[test]
+fn nothing_in_a_box_is_outside_its_bound() {
+    let (useful, all) = (Cell::new(0), Cell::new(0));
+    check(sizes::BOUND, case(1..=12, &Kind::ALL), |case| {
+        all.set(all.get() + 1);
+        useful.set(useful.get() + u32::from(boxes_bound_what_they_hold(&case)?));
+        Ok(())
+    });
+    println!("{} of {} bounded", useful.get(), all.get());
+    assert!(useful.get() >= all.get() / 3);
+}
+
+#[test]
+fn bounds_of_points_are_a_pixel() {
+    let end = 1 << 20;
+    let number = move || (-end..=end).prop_map(move |v: i32| v as f32 / end as f32);
+    check(sizes::BOUND, ([number(), number(), number()], [1..=16384u32, 1..=16384]), |([x, y, z], size)| {
+        bounds_of_points_are_tight([x, y, z.abs()], size)
+    });
+}
+
+#[test]
+fn spheres_that_are_left_out_are_outside() {
+    let (outside, all) = (Cell::new(0), Cell::new(0));
+    let strategy = (case(0..=2, &Kind::ALL), array::uniform3(-40.0..40.0f32), -10.0..6.0f32, any::<u64>());
+    check(sizes::BOUND, strategy, |(case, center, scale, seed)| {
+        all.set(all.get() + 1);
+        let excluded = spheres_left_out_are_outside(&case, center, scale.exp2(), seed)?;
+        outside.set(outside.get() + u32::from(excluded));
+        Ok(())
+    });
+    println!("{} of {} outside", outside.get(), all.get());
+    assert!((all.get() / 10..all.get() * 19 / 20).contains(&outside.get()));
+}
+
+#[test]
+fn memory_that_is_too_short_is_refused() {
+    check(sizes::MESHLET_ERRORS, case(0..=1200, &Kind::ALL), |case| short_memory_is_refused(&case));
+}
