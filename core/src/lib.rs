@@ -78,10 +78,10 @@ pub use attachments::{
 };
 pub use draw::{CulledCounts, DrawError, Index, RejectedCounts, State, Statistics, draw};
 pub use geometry::{
-    Assembly, Cull, Culled, OutsideGuardBand, Positions, Region, RegionError, Sample, Triangle, Vertex,
-    Winding,
+    Assembly, Cull, Culled, Footprint, OutsideGuardBand, Overlap, Positions, Rectangle, Region, RegionError,
+    Sample, Triangle, Uncertainty, Vertex, Winding,
 };
 pub use numbers::{Bounds, Coordinate, Format, Small, Standard, unorm16, unorm32};
 #[cfg(feature = "transform")]
 pub use transform::{ClipPositions, ModelPositions, Viewport};
-pub use traversal::{Mask, traverse};
+pub use traversal::{Mask, traverse, traverse_conservative};

@@ -8,7 +8,7 @@ use super::{
     tile::{TILE, squares},
 };
 use crate::{
-    geometry::{Region, Triangle},
+    geometry::{HalfPlanes, Region, Rule, Triangle},
     lanes::{ArrayLanes, Lanes},
     numbers::Format,
 };
@@ -52,30 +52,44 @@ pub(crate) fn walk<L: Lanes, F: Format>(
     bounds: Region<F>,
     mut visit: impl FnMut(u32, u32, Mask),
 ) -> bool {
-    let blocks = bounds.blocks();
     // No sample beside the bounds is covered, so blocks that are all in the region need no cutting.
-    let cut = if region.contains(blocks) { None } else { Some(bounds) };
-    if blocks.width() <= SMALL && blocks.height() <= SMALL {
-        let Some(steps) = Step::all(triangle, blocks) else { return false };
-        return scan::<L, F>(token, InBlock::all(token, triangle), steps, blocks, cut, visit);
-    }
-    let in_block = InBlock::<L>::all(token, triangle);
+    let cut = if region.contains(bounds.blocks()) { None } else { Some(bounds) };
+    let half_planes = triangle.half_planes();
+    let in_block = InBlock::<L>::all(token, half_planes.edges);
     let mut any = false;
+    rectangles::<L, F, _>(
+        token,
+        half_planes,
+        bounds,
+        #[inline(always)]
+        |rectangle, steps| any |= scan::<L, F>(token, in_block, steps, rectangle, cut, &mut visit),
+    );
+    any
+}
+
+/// Visits rectangles of whole blocks that have the bounds between them, each block in one of them, with the
+/// edges over each: of at most a tile, but for those that an edge rejects.
+#[inline(always)]
+pub(super) fn rectangles<L: Lanes, F: Format, R: Rule<F>>(
+    token: L::Token,
+    half_planes: HalfPlanes<F, R>,
+    bounds: Region<F>,
+    mut visit: impl FnMut(Region<F>, [Step; 3]),
+) {
+    let blocks = bounds.blocks();
+    if blocks.width() <= SMALL && blocks.height() <= SMALL {
+        if let Some(steps) = Step::all(half_planes, blocks) {
+            visit(blocks, steps);
+        }
+        return;
+    }
     let mut y = bounds.y0() & !(TILE - 1);
     while y < bounds.y1() {
         let mut x = bounds.x0() & !(TILE - 1);
         while x < bounds.x1() {
-            squares::<L, F>(
-                token,
-                triangle,
-                blocks,
-                [x, y],
-                #[inline(always)]
-                |square, steps| any |= scan::<L, F>(token, in_block, steps, square, cut, &mut visit),
-            );
+            squares::<L, F, R>(token, half_planes, blocks, [x, y], &mut visit);
             x += TILE;
         }
         y += TILE;
     }
-    any
 }
