@@ -144,7 +144,12 @@ impl<F: Format> Footprint<F> {
 /// Whether an edge accepts a region's pixel where it is largest, or else the one where it is smallest. The
 /// rule's corner of that pixel is the rectangle's, so this is the rule for the rectangle as one large pixel.
 #[inline]
-fn accepts<F: Format>(edge: Edge<F>, rule: impl Rule<F>, region: Region<F>, largest: bool) -> bool {
+pub(super) fn accepts<F: Format>(
+    edge: Edge<F>,
+    rule: impl Rule<F>,
+    region: Region<F>,
+    largest: bool,
+) -> bool {
     let column = if (edge.a() > 0) == largest { region.x1() - 1 } else { region.x0() };
     let row = if (edge.b() > 0) == largest { region.y1() - 1 } else { region.y0() };
     edge.reduced(rule, column, row) >= F::Wide::default()

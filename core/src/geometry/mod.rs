@@ -25,6 +25,8 @@ pub use rectangle::Rectangle;
 pub use region::{Region, RegionError};
 pub use rule::Uncertainty;
 pub(crate) use rule::{HalfPlanes, Rule};
+#[cfg(any(kani, test))]
+pub(crate) use rule::{Inside, Touched};
 pub use sample::Sample;
 pub(crate) use triangle::winding;
 pub use triangle::{Triangle, doubled_area, is_outside};

@@ -4,7 +4,7 @@ use super::{
     mask::Mask,
     scan::{Edge, scan},
     step::{InBlock, Step},
-    walk::rectangles,
+    walk::{is_small, tiles},
 };
 use crate::{
     geometry::{Footprint, Region},
@@ -55,34 +55,34 @@ pub fn traverse_conservative_with<L: Lanes, F: Format>(
     mut visit: impl FnMut(u32, u32, Mask, Mask),
 ) -> bool {
     let Some(bounds) = footprint.bounds(region) else { return false };
-    // Beside the bounds half-planes still meet, at a sharp corner for instance; blocks are cut to the bounds.
-    let cut = if bounds == bounds.blocks() { None } else { Some(bounds) };
+    let blocks = bounds.blocks();
+    // Beside the bounds half-planes may still meet, at a sharp corner for instance: blocks are cut to the bounds.
+    let cut = if bounds == blocks { None } else { Some(bounds) };
     let (touched, inside) = (footprint.touched(), footprint.inside());
     let in_block = InBlock::<L>::all(token, touched.edges);
     let mut any = false;
-    rectangles::<L, F, _>(
-        token,
-        touched,
-        bounds,
-        #[inline(always)]
-        |rectangle, steps| {
-            let inside = inside.and_then(|inside| Step::all(inside, rectangle));
-            any |= scan::<L, F>(token, in_block, steps, rectangle, cut, |x, y, touched| {
-                let inside = match inside {
-                    Some(steps) => block(token, in_block, steps, [x - rectangle.x0(), y - rectangle.y0()]),
-                    None => Mask::EMPTY,
-                };
-                visit(x, y, touched, inside.and(touched));
-            });
-        },
-    );
+    let mut within = |rectangle: Region<F>, steps| {
+        let inside = inside.and_then(|inside| Step::all(inside, rectangle));
+        any |= scan::<L, F>(token, in_block, steps, rectangle, cut, |x, y, touched| {
+            let inside = match inside {
+                Some(steps) => block(token, in_block, steps, [x - rectangle.x0(), y - rectangle.y0()]),
+                None => Mask::EMPTY,
+            };
+            visit(x, y, touched, inside.and(touched));
+        });
+    };
+    if !is_small(blocks) {
+        tiles::<L, F, _>(token, touched, bounds, within);
+    } else if let Some(steps) = Step::all(touched, blocks) {
+        within(blocks, steps);
+    }
     any
 }
 
 /// The pixels that three edges accept in the block that begins so many columns and rows after a rectangle of
 /// at most a tile; the block is in it, so all values fit, as [`Step::over`] says.
 #[inline(always)]
-fn block<L: Lanes>(
+pub(super) fn block<L: Lanes>(
     token: L::Token,
     [in0, in1, in2]: [InBlock<L>; 3],
     [step0, step1, step2]: [Step; 3],

@@ -52,37 +52,41 @@ pub(crate) fn walk<L: Lanes, F: Format>(
     bounds: Region<F>,
     mut visit: impl FnMut(u32, u32, Mask),
 ) -> bool {
+    let blocks = bounds.blocks();
     // No sample beside the bounds is covered, so blocks that are all in the region need no cutting.
-    let cut = if region.contains(bounds.blocks()) { None } else { Some(bounds) };
+    let cut = if region.contains(blocks) { None } else { Some(bounds) };
     let half_planes = triangle.half_planes();
+    if is_small(blocks) {
+        let Some(steps) = Step::all(half_planes, blocks) else { return false };
+        return scan::<L, F>(token, InBlock::all(token, half_planes.edges), steps, blocks, cut, visit);
+    }
     let in_block = InBlock::<L>::all(token, half_planes.edges);
     let mut any = false;
-    rectangles::<L, F, _>(
+    tiles::<L, F, _>(
         token,
         half_planes,
         bounds,
         #[inline(always)]
-        |rectangle, steps| any |= scan::<L, F>(token, in_block, steps, rectangle, cut, &mut visit),
+        |square, steps| any |= scan::<L, F>(token, in_block, steps, square, cut, &mut visit),
     );
     any
 }
 
-/// Visits rectangles of whole blocks that have the bounds between them, each block in one of them, with the
-/// edges over each: of at most a tile, but for those that an edge rejects.
+/// Whether bounds, as whole blocks, are gone through block by block at once.
 #[inline(always)]
-pub(super) fn rectangles<L: Lanes, F: Format, R: Rule<F>>(
+pub(super) const fn is_small<F: Format>(blocks: Region<F>) -> bool {
+    blocks.width() <= SMALL && blocks.height() <= SMALL
+}
+
+/// Visits the squares that no edge rejects of all tiles that have a pixel of the bounds; [`squares`] says how.
+#[inline(always)]
+pub(super) fn tiles<L: Lanes, F: Format, R: Rule<F>>(
     token: L::Token,
     half_planes: HalfPlanes<F, R>,
     bounds: Region<F>,
     mut visit: impl FnMut(Region<F>, [Step; 3]),
 ) {
     let blocks = bounds.blocks();
-    if blocks.width() <= SMALL && blocks.height() <= SMALL {
-        if let Some(steps) = Step::all(half_planes, blocks) {
-            visit(blocks, steps);
-        }
-        return;
-    }
     let mut y = bounds.y0() & !(TILE - 1);
     while y < bounds.y1() {
         let mut x = bounds.x0() & !(TILE - 1);

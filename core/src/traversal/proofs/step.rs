@@ -1,7 +1,7 @@
 //! Proofs of one edge over a rectangle: its corners, its reduction to 32 bits, and its values in blocks.
 
 use crate::{
-    geometry::{Edge, Region, Rule, Sample, Vertex},
+    geometry::{Edge, Inside, Region, Rule, Sample, Touched, Uncertainty, Vertex},
     lanes::{ArrayLanes, Lanes},
     numbers::{Bounds, Format, Small, Standard},
     proof::{assume, cover, prove},
@@ -15,6 +15,14 @@ const fn magnitudes<const N: usize>(limit: i32) -> core::ops::RangeInclusive<[i3
 
 /// Largest magnitude of an edge's deltas.
 const DELTA: i32 = Bounds::<Standard>::MAX_DELTA;
+
+/// Largest magnitude of an edge's value at a pixel of a rectangle that it crosses:
+/// `an_edge_is_decided_by_its_corners`.
+const VALUE: i32 = Bounds::<Standard>::MAX_TILE_VALUE as i32;
+
+fn uncertainty(half: bool) -> Uncertainty {
+    if half { Uncertainty::HalfStep } else { Uncertainty::None }
+}
 
 /// An edge within the guard band.
 fn edge<F: Format>([ax, ay, bx, by]: [i32; 4]) -> Option<Edge<F>> {
@@ -109,6 +117,71 @@ prove! {
         blocks: [u32; 2] = [1; 2]..=[16; 2],
     ) {
         decides_by_the_corners::<Small>(ends, Sample::new(sample[0], sample[1]), block, blocks);
+    }
+
+    /// The same with the rules of conservative coverage, at the corners of pixels: what is touched.
+    [Step::over, corner_steps]
+    fn touching_is_decided_by_its_corners(
+        ends: [i32; 4] = magnitudes(Bounds::<Standard>::GUARD_BAND),
+        half: bool,
+        block: [u32; 2] = [0; 2]..=[Standard::MAX_TARGET / 4 - 1; 2],
+        blocks: [u32; 2] = [1; 2]..=[16; 2],
+    ) {
+        decides_by_the_corners::<Standard>(ends, Some(Touched(uncertainty(half))), block, blocks);
+    }
+
+    /// And what is inside.
+    [Step::over, corner_steps]
+    fn containing_is_decided_by_its_corners(
+        ends: [i32; 4] = magnitudes(Bounds::<Standard>::GUARD_BAND),
+        half: bool,
+        block: [u32; 2] = [0; 2]..=[Standard::MAX_TARGET / 4 - 1; 2],
+        blocks: [u32; 2] = [1; 2]..=[16; 2],
+    ) {
+        decides_by_the_corners::<Standard>(ends, Some(Inside(uncertainty(half))), block, blocks);
+    }
+
+    /// The same for the small format.
+    [Step::over, corner_steps]
+    fn small_touching_is_decided_by_its_corners(
+        ends: [i32; 4] = magnitudes(Bounds::<Small>::GUARD_BAND),
+        half: bool,
+        block: [u32; 2] = [0; 2]..=[Small::MAX_TARGET / 4 - 1; 2],
+        blocks: [u32; 2] = [1; 2]..=[16; 2],
+    ) {
+        decides_by_the_corners::<Small>(ends, Some(Touched(uncertainty(half))), block, blocks);
+    }
+
+    /// And what is inside.
+    [Step::over, corner_steps]
+    fn small_containing_is_decided_by_its_corners(
+        ends: [i32; 4] = magnitudes(Bounds::<Small>::GUARD_BAND),
+        half: bool,
+        block: [u32; 2] = [0; 2]..=[Small::MAX_TARGET / 4 - 1; 2],
+        blocks: [u32; 2] = [1; 2]..=[16; 2],
+    ) {
+        decides_by_the_corners::<Small>(ends, Some(Inside(uncertainty(half))), block, blocks);
+    }
+
+    /// An edge so many columns and rows on is the edge there, exactly where it fits at the rectangle's corners, as
+    /// it does where it is not dropped; one that is dropped stays so.
+    [Step::after]
+    fn an_edge_further_on_is_exact(
+        value: i32 = -VALUE..=VALUE,
+        a: i32 = -DELTA..=DELTA,
+        b: i32 = -DELTA..=DELTA,
+        from: [u32; 2] = [0; 2]..=[63; 2],
+    ) {
+        assert!(Step::DROPPED.after(from) == Step::DROPPED);
+        let at = |x: u32, y: u32| {
+            i64::from(value) + i64::from(x) * i64::from(a) + i64::from(y) * i64::from(b)
+        };
+        let fits = |x, y| at(x, y).abs() <= i64::from(VALUE);
+        assume!(fits(63, 0) & fits(0, 63) & fits(63, 63));
+        assume!(fits(from[0], 0) & fits(from[0], from[1]));
+        let step = Step { value, a, b }.after(from);
+        assert!(i64::from(step.value) == at(from[0], from[1]) && step.a == a && step.b == b);
+        cover!(step.value < 0 && value > 0);
     }
 
     /// An edge's values in a block, relative to its first pixel: i A + j B in lane 4 j + i; the greatest
