@@ -40,6 +40,9 @@
 //! can stop at any level: set up one [`Triangle`] by hand, [`traverse`] its blocks with a closure,
 //! or hand a whole mesh to [`draw()`].
 //!
+//! [`traverse_conservative`] visits what a [`Footprint`], a closed triangle, touches and what lies wholly in it;
+//! [`Footprint::overlap`] compares it with a tile.
+//!
 //! With the feature `simd`, `simd::draw` stands above them all and draws the same bits from vector
 //! registers; `simd::draw_meshlets` draws them from a mesh divided once; `simd::draw_any` takes whatever `draw`
 //! takes.

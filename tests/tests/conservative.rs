@@ -106,7 +106,8 @@ fn equals_reference_in_long_and_narrow_scissors() {
 fn enumerate<F: Format>(frame: &Frame, lattice: Lattice) {
     let triangles: u64 =
         (0..lattice.points()).map(|first| every_footprint_from::<F>(frame, lattice, first).unwrap()).sum();
-    assert_eq!(triangles, (lattice.points() as u64).pow(3));
+    let points = lattice.points() as u64;
+    assert_eq!(triangles, points * points * (points + 1) / 2);
 }
 
 /// Steps of a pixel and a half each way from the corner of four blocks.

@@ -75,15 +75,16 @@ pub fn every_triangle_from<F: Format>(frame: &Frame, lattice: Lattice, first: i3
     Ok(triangles)
 }
 
-/// Every ordered triple of lattice points that begins with that one: the pixels that the closed triangle touches, and
-/// those that lie in it, are the reference's, with and without uncertainty.
+/// Every triple of lattice points that begins with that one, the other two in ascending order (over all first points
+/// that is each triangle with both windings): the pixels that the closed triangle touches, and those that lie in it, are
+/// the reference's, with and without uncertainty.
 ///
 /// Returns the number of triangles.
 pub fn every_footprint_from<F: Format>(frame: &Frame, lattice: Lattice, first: i32) -> Result<u64, Failure> {
     let [x0, y0, x1, y1] = frame.scissor;
     let region = Region::new(x0, y0, x1, y1)?;
     let p = lattice.point(first);
-    let others = (0..lattice.points()).flat_map(|b| (0..lattice.points()).map(move |c| (b, c)));
+    let others = (0..lattice.points()).flat_map(|b| (b..lattice.points()).map(move |c| (b, c)));
     let mut triangles = 0;
     for (b, c) in others {
         let corners = [p, lattice.point(b), lattice.point(c)];

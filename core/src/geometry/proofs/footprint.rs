@@ -102,25 +102,45 @@ fn set_up<F: Format>(given: [[i32; 2]; 3], clockwise: bool, half: bool) {
     cover!(signed == if clockwise { 1 } else { -1 });
 }
 
-/// An edge accepts a rectangle as if it were one large pixel: by its largest E at the corners, or its smallest.
+/// An edge and a rectangle of pixels.
 #[inline(always)]
-fn accepting<F: Format>(ends: [[i32; 2]; 2], given: [u32; 4], half: bool) {
-    let [x0, y0, x1, y1] = given;
-    let Ok(region) = Region::<F>::new(x0, y0, x1, y1) else { return };
-    let (Some(start), Some(end)) = (vertex::<F>(ends[0], 0), vertex::<F>(ends[1], 0)) else { return };
-    let edge = Edge::new(start, end);
+fn edge_and_region<F: Format>(
+    ends: [[i32; 2]; 2],
+    [x0, y0, x1, y1]: [u32; 4],
+) -> Option<(Edge<F>, Region<F>)> {
+    Some((Edge::new(vertex(ends[0], 0)?, vertex(ends[1], 0)?), Region::new(x0, y0, x1, y1).ok()?))
+}
+
+/// E at a corner between pixels.
+#[inline(always)]
+fn at_pixel<F: Format>(edge: Edge<F>, column: u32, row: u32) -> i64 {
     let side = Bounds::<F>::STEPS_PER_PIXEL;
-    let at = |column: u32, row: u32| -> i64 { edge.at((column as i32 * side, row as i32 * side)).into() };
-    let largest = at(if edge.a() > 0 { x1 } else { x0 }, if edge.b() > 0 { y1 } else { y0 });
-    let smallest = at(if edge.a() > 0 { x0 } else { x1 }, if edge.b() > 0 { y0 } else { y1 });
-    let margin = doubled_margin(edge, half);
+    edge.at((column as i32 * side, row as i32 * side)).into()
+}
+
+/// An edge touches a rectangle as if it were one large pixel: by its largest E at the corners.
+#[inline(always)]
+fn touching<F: Format>(ends: [[i32; 2]; 2], given: [u32; 4], half: bool) {
+    let [x0, y0, x1, y1] = given;
+    let Some((edge, region)) = edge_and_region::<F>(ends, given) else { return };
+    let (right, down) = (edge.a() > 0, edge.b() > 0);
+    let largest = at_pixel(edge, if right { x1 } else { x0 }, if down { y1 } else { y0 });
+    let doubled = 2 * largest + doubled_margin(edge, half);
     let touched = accepts(edge, Touched(uncertainty(half)), region, true);
-    let inside = accepts(edge, Inside(uncertainty(half)), region, false);
-    let has_corner = edge.a() <= 0 && edge.b() <= 0;
-    assert!(touched == (2 * largest + margin > 0 || (2 * largest + margin == 0 && has_corner)));
-    assert!(inside == (2 * smallest - margin >= 0));
-    cover!(touched && !inside);
-    cover!(2 * largest + margin == 0 && !touched);
+    assert!(touched == (doubled > 0 || (doubled == 0 && !right && !down)));
+    cover!(doubled == 0 && !touched);
+}
+
+/// It has a rectangle inside as if it were one large pixel: by its smallest E.
+#[inline(always)]
+fn containing<F: Format>(ends: [[i32; 2]; 2], given: [u32; 4], half: bool) {
+    let [x0, y0, x1, y1] = given;
+    let Some((edge, region)) = edge_and_region::<F>(ends, given) else { return };
+    let (right, down) = (edge.a() > 0, edge.b() > 0);
+    let smallest = at_pixel(edge, if right { x0 } else { x1 }, if down { y0 } else { y1 });
+    let doubled = 2 * smallest - doubled_margin(edge, half);
+    assert!(accepts(edge, Inside(uncertainty(half)), region, false) == (doubled >= 0));
+    cover!(doubled == 0);
 }
 
 /// What is decided by the bounds alone: outside where they have no pixel of the region, within where the region has
@@ -225,24 +245,44 @@ prove! {
         set_up::<Small>(given, false, half);
     }
 
-    /// An edge and a rectangle of pixels.
+    /// An edge touches a rectangle of pixels by its largest E, as it does a pixel.
     [accepts]
-    fn rectangles_of_standard_are_accepted_by_their_corners(
+    fn rectangles_of_standard_are_touched_by_an_edge(
         ends: [[i32; 2]; 2] = [[-STANDARD; 2]; 2]..=[[STANDARD; 2]; 2],
         given: [u32; 4] = [0; 4]..=[Standard::MAX_TARGET; 4],
         half: bool,
     ) {
-        accepting::<Standard>(ends, given, half);
+        touching::<Standard>(ends, given, half);
     }
 
     /// The same for the small format.
     [accepts]
-    fn rectangles_of_small_are_accepted_by_their_corners(
+    fn rectangles_of_small_are_touched_by_an_edge(
         ends: [[i32; 2]; 2] = [[-SMALL; 2]; 2]..=[[SMALL; 2]; 2],
         given: [u32; 4] = [0; 4]..=[Small::MAX_TARGET; 4],
         half: bool,
     ) {
-        accepting::<Small>(ends, given, half);
+        touching::<Small>(ends, given, half);
+    }
+
+    /// It contains one by its smallest E.
+    [accepts]
+    fn rectangles_of_standard_are_inside_an_edge(
+        ends: [[i32; 2]; 2] = [[-STANDARD; 2]; 2]..=[[STANDARD; 2]; 2],
+        given: [u32; 4] = [0; 4]..=[Standard::MAX_TARGET; 4],
+        half: bool,
+    ) {
+        containing::<Standard>(ends, given, half);
+    }
+
+    /// The same for the small format.
+    [accepts]
+    fn rectangles_of_small_are_inside_an_edge(
+        ends: [[i32; 2]; 2] = [[-SMALL; 2]; 2]..=[[SMALL; 2]; 2],
+        given: [u32; 4] = [0; 4]..=[Small::MAX_TARGET; 4],
+        half: bool,
+    ) {
+        containing::<Small>(ends, given, half);
     }
 
     /// The answers that need no edge.
