@@ -26,6 +26,10 @@ table! {
     SETUP = 3_000;
     /// Coverage against the definition in rationals.
     DEFINITION = 300;
+    /// Conservative coverage of one triangle, for each format.
+    CONSERVATIVE = 3_000;
+    /// Triangles and regions, relations of conservative coverage, for each format.
+    OVERLAP = 1_000;
     /// Triangulations, fans and grids drawn whole.
     MESH = 250;
     /// Fans of a thousand triangles.
@@ -40,6 +44,8 @@ table! {
     DEPTH_TEST = 120;
     /// Questions to hierarchical depth, for each comparison.
     HIERARCHY = 1_000;
+    /// Draws through bins.
+    BINS = 400;
     /// Whole scenes against the reference's picture.
     SCENE = 120;
     /// The same scene through every entry point.

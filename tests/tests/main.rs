@@ -3,8 +3,10 @@
 mod attachments;
 #[cfg(feature = "simd")]
 mod batches;
+mod bins;
 mod bounds;
 mod clipping;
+mod conservative;
 #[cfg(feature = "simd")]
 mod corpus;
 mod coverage;

@@ -82,7 +82,9 @@ impl<F: Format> Bins<'_, F> {
         if self.sample != state.sample {
             return added;
         }
-        for (id, corners) in (first_id..).zip(triangles) {
+        // As many ids as there are triangles were found to exist.
+        let ids = first_id..first_id.saturating_add(triangles.len() as u32);
+        for (id, corners) in ids.zip(triangles) {
             let before = self.count;
             let mut full = false;
             // Of the last piece.
@@ -119,7 +121,9 @@ impl<F: Format> Bins<'_, F> {
     /// room.
     fn insert(&mut self, vertices: [Vertex<F>; 3], bounds: Region<F>, id: u32, continued: bool) -> bool {
         let number = self.count;
-        let (Some(to), Ok(entry)) = (self.triangles.get_mut(number), u32::try_from(number)) else { return false };
+        let (Some(to), Ok(entry)) = (self.triangles.get_mut(number), u32::try_from(number)) else {
+            return false;
+        };
         *to = BinnedTriangle {
             vertices,
             bounds: [bounds.x0(), bounds.y0(), bounds.x1(), bounds.y1()],

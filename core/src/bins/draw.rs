@@ -5,6 +5,7 @@ use crate::{
     attachments::{Attachment, Block, OutsideAttachment},
     draw::{self, DrawError, Index, State, Statistics},
     geometry::{Assembly, Positions, Region, Triangle},
+    lanes::ArrayLanes,
     numbers::Format,
     traversal::{TILE, fill, walk},
 };
@@ -119,7 +120,8 @@ impl<F: Format> Bins<'_, F> {
             if entry as usize >= MAX_TRIANGLES {
                 fill(bounds, visit);
             } else {
-                walk::<crate::lanes::ArrayLanes, F>((), &triangle, tile, bounds, visit);
+                // The bounds end at a scissor, maybe, in the midst of a block.
+                walk::<ArrayLanes, F>((), &triangle, bounds, bounds, visit);
             }
             if begun {
                 waiting.drawn.store(true, Ordering::Relaxed);

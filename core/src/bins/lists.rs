@@ -77,7 +77,8 @@ impl<'m> Lists<'m> {
             list.last = number;
             self.used += 1;
         }
-        if let Some(to) = self.chunks.get_mut(list.last as usize).and_then(|chunk| chunk.entries.get_mut(at)) {
+        if let Some(to) = self.chunks.get_mut(list.last as usize).and_then(|chunk| chunk.entries.get_mut(at))
+        {
             *to = entry;
         }
         list.count += 1;

@@ -35,7 +35,7 @@ fn hilbert(side: u32, mut at: u64) -> (u32, u32) {
     let (mut x, mut y) = (0, 0);
     let mut size = 1;
     while size < side {
-        let right = (at / 2 & 1) as u32;
+        let right = ((at / 2) & 1) as u32;
         let down = (at & 1) as u32 ^ right;
         if down == 0 {
             if right == 1 {

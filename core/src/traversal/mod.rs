@@ -1,5 +1,6 @@
 //! From a set-up triangle to the masks of the 4x4 blocks it covers.
 
+mod conservative;
 mod fill;
 mod mask;
 #[cfg(any(kani, test))]
@@ -9,8 +10,9 @@ mod step;
 mod tile;
 mod walk;
 
-pub use mask::Mask;
+pub use conservative::{traverse_conservative, traverse_conservative_with};
 pub(crate) use fill::fill;
+pub use mask::Mask;
 pub(crate) use tile::TILE;
 pub(crate) use walk::walk;
 pub use walk::{traverse, traverse_with};

@@ -4,7 +4,11 @@ use super::{
     simd::{Case, Storage, levels},
     statistics::add_up,
 };
-use crate::{Failure, ensure, ensure_eq, failure::Verdict, shapes::{Projection, Random}};
+use crate::{
+    Failure, ensure, ensure_eq,
+    failure::Verdict,
+    shapes::{Projection, Random},
+};
 use halfplane::{
     Bound, Compare, Coverage, D16, D32, Depth, DepthFormat, DepthRange, DepthTest, DrawError, Frustum,
     HierarchicalDepth, Ids, Index as _, ModelPositions, Region, Standard, State, Statistics, Viewport,

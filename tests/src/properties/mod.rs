@@ -2,7 +2,9 @@
 
 #[cfg(feature = "simd")]
 pub mod batches;
+pub mod bins;
 pub mod clipping;
+pub mod conservative;
 pub mod coverage;
 pub mod crossing;
 #[cfg(feature = "simd")]
