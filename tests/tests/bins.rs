@@ -1,10 +1,13 @@
 //! Bins of any size against immediate drawing.
 
-use halfplane::{ClipPositions, Cull, Format, Region, Small, Standard, State, Viewport};
+use halfplane::{ClipPositions, Cull, Format, Region, Small, Standard, State, Viewport, bins::TileOrder};
 use halfplane_tests::{
     Failure, Frame,
     properties::{
-        bins::{Met, binned_is_immediate, errors_change_nothing, samples_do_not_mix},
+        bins::{
+            Met, a_diagonal_needs_few_tiles, binned_is_immediate, errors_change_nothing, samples_do_not_mix,
+            tiles_come_in_order, what_did_not_fit_is_gone, what_waits_comes_first,
+        },
         scene::vertices,
     },
     run::check,
@@ -110,4 +113,31 @@ fn sample_positions_do_not_mix() {
     check(sizes::ERRORS, frame::<Standard>(), |frame| {
         samples_do_not_mix::<Standard>(frame.core_region()?, frame.core_sample()?)
     });
+}
+
+#[test]
+fn triangles_that_did_not_fit_leave_nothing_behind() {
+    check(sizes::BINS, (1..60usize, 1..10usize, 0..60usize), |(small, chunks, between)| {
+        what_did_not_fit_is_gone(small, chunks, between)
+    });
+}
+
+#[test]
+fn waiting_triangles_come_first() -> Result<(), Failure> {
+    what_waits_comes_first(Region::of_size(130, 70)?)
+}
+
+#[test]
+fn thin_triangles_need_few_tiles() -> Result<(), Failure> {
+    (2..20).try_for_each(a_diagonal_needs_few_tiles)
+}
+
+#[test]
+fn tiles_come_once_and_in_order() -> Result<(), Failure> {
+    for order in [TileOrder::Rows, TileOrder::Hilbert] {
+        for (columns, rows) in (1..10).flat_map(|x| (1..10).map(move |y| (x, y))).chain([(16, 16)]) {
+            tiles_come_in_order(columns, rows, order)?;
+        }
+    }
+    Ok(())
 }

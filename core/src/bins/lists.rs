@@ -99,9 +99,6 @@ impl<'m> Lists<'m> {
                     // Chunks that are given back are the last ones that were taken.
                     self.used -= 1;
                     list.last = chunk.previous;
-                    if at == 0 {
-                        list.first = NONE;
-                    }
                 }
             }
         }
