@@ -1,5 +1,6 @@
 //! The command line.
 
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -45,6 +46,13 @@ pub enum Command {
     /// the vertex stage alone. "clears" are minima over that of the clear: a measure that can be compared
     /// between machines. Nothing is written to files.
     Bench(Bench),
+    /// What occlusion culling leaves out of a mesh: boxes over the depth picture, green where something in them can be
+    /// seen, red where all is hidden, and a table
+    ///
+    /// The mesh is clustered; occludees are the boxes of its meshlets, asked after the whole frame. "wrongly culled"
+    /// counts hidden boxes of which a triangle is in the exact picture: it must be 0, and the exit status is 1 where it is
+    /// not. Writes occlusion.png.
+    Occlusion(Picture),
     /// Measure error against run time of every choice: one page, its plots, and the same numbers as CSV
     ///
     /// For the built-in scene, and for Castle and Sponza where they are, or for FILE alone: sub-pixel bits, depth
@@ -86,6 +94,9 @@ pub struct Bench {
     /// Move the camera a little every frame, always the same way: a processor learns repeated frames by heart
     #[arg(long)]
     pub moving: bool,
+    /// With --binned, draw tiles along Hilbert's curve and not row by row
+    #[arg(long, requires = "binned")]
+    pub hilbert: bool,
     /// Print one JSON object instead of a table
     #[arg(long)]
     pub json: bool,
@@ -168,6 +179,18 @@ pub struct Options {
     /// that a frame passes over those outside the view. The picture is the same
     #[arg(long)]
     pub meshlets: bool,
+    /// Cluster the mesh once, before anything is drawn, and draw it from front to back, asking of each batch of
+    /// triangles whether it is hidden. The depths are the same; where several triangles are at the same depth, the
+    /// id may be another of theirs
+    #[arg(long, conflicts_with_all = ["binned", "threads", "meshlets"])]
+    pub queries: bool,
+    /// Sort the triangles into bins, one for each 64x64 tile, and draw tile by tile. The picture is the same
+    #[arg(long, conflicts_with = "meshlets")]
+    pub binned: bool,
+    /// Threads that draw, each a band of the picture at a time; without --binned, meshlets are made. The picture is
+    /// the same
+    #[arg(long, value_name = "N", default_value = "1", allow_hyphen_values = true, value_parser = threads)]
+    pub threads: NonZeroUsize,
     /// The folder for the pictures; made if it is not there
     #[arg(long, value_name = "DIR", default_value = "out")]
     pub out: PathBuf,
@@ -244,6 +267,9 @@ impl Options {
             front: None,
             level: Level::detect(),
             meshlets: false,
+            queries: false,
+            binned: false,
+            threads: NonZeroUsize::MIN,
             out: PathBuf::from("out"),
             zoom: 1,
             raw: false,
@@ -356,6 +382,11 @@ fn matrix(text: &str) -> Result<Matrix, String> {
 fn field_of_view(text: &str) -> Result<f64, String> {
     let fov = text.parse().ok().filter(|fov| (0.1..=179.0).contains(fov));
     fov.ok_or_else(|| "it must be an angle from 0.1 to 179 degrees".to_owned())
+}
+
+fn threads(text: &str) -> Result<NonZeroUsize, String> {
+    let threads = text.parse().ok().filter(|threads: &NonZeroUsize| threads.get() <= 1024);
+    threads.ok_or_else(|| "it must be a number of threads from 1 to 1024".to_owned())
 }
 
 fn wrong_pixels(text: &str) -> Result<f64, String> {

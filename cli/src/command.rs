@@ -17,8 +17,9 @@ use crate::output::{OutputError, Outputs};
 use crate::picture::{self, Look, Zoom};
 use crate::render::{Picture, RenderError, Settings, render, to_clip};
 use crate::scene;
-use crate::target::{Preparation, Prepared};
+use crate::target::Preparation;
 use crate::verify;
+use crate::way::Way;
 
 /// Draws, writes the pictures, prints a report.
 ///
@@ -145,12 +146,6 @@ impl Subject {
         let name = path.display().to_string();
         Ok(Self { mesh, name, cameras, place, hand, front, cull, look: Look::Studio })
     }
-
-    /// The meshlets, if they are asked for.
-    pub(crate) fn prepare(&self, options: &Options) -> Result<Option<Prepared>, RenderError> {
-        let mesh = &self.mesh;
-        Ok(options.meshlets.then(|| Prepared::new(&mesh.positions, &mesh.indices)).transpose()?)
-    }
 }
 
 /// A drawn picture and all it was drawn from.
@@ -171,13 +166,13 @@ fn draw(file: Option<&Path>, options: &Options) -> Result<Drawn, Error> {
         started = Instant::now();
     };
     let (subject, matrix, settings) = prepare(file, options, &mut lap)?;
-    let prepared = subject.prepare(options)?;
-    if prepared.is_some() {
+    let way = Way::of(&subject.mesh, options)?;
+    let preparation = way.preparation();
+    if preparation.is_some() {
         lap("meshlets");
     }
-    let picture = render(&subject.mesh, &matrix, &settings, prepared.as_ref())?;
+    let picture = render(&subject.mesh, &matrix, &settings, &way)?;
     lap("draw");
-    let preparation = prepared.map(|prepared| prepared.preparation());
     Ok(Drawn { subject, matrix, settings, picture, preparation, times })
 }
 

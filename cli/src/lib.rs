@@ -7,10 +7,11 @@
 //! | [`load`], [`scene`] | where meshes come from: files, or the built-in scene |
 //! | [`camera`] | where matrices come from |
 //! | [`level`], [`target`] | the vector levels, and the only place that calls the rasterizer's draw |
-//! | [`render`] | mesh and matrix to depth and ids |
+//! | [`way`], [`render`] | mesh and matrix to depth and ids |
 //! | [`picture`] | depth and ids to pictures |
 //! | [`verify`] | depth and ids against the reference |
 //! | [`measure`], [`mod@bench`] | times of frames, beside the machine's limits |
+//! | [`occlusion`] | what is hidden, as a picture and a table |
 //! | [`report`] | error against run time, as a page |
 //! | [`protocol`] | the doors for conformance kits |
 //! | [`output`] | files, whole or not at all |
@@ -25,6 +26,7 @@ pub mod command;
 pub mod error;
 pub mod load;
 pub mod mesh;
+pub mod occlusion;
 pub mod output;
 pub mod picture;
 pub mod protocol;
@@ -32,6 +34,7 @@ pub mod render;
 pub mod report;
 pub mod scene;
 pub mod verify;
+pub mod way;
 
 pub use halfplane_measure::{self as measure, level, target};
 
@@ -74,6 +77,9 @@ fn execute(cli: Cli) -> Result<bool, Error> {
         Some(Command::Render(picture)) => command::run_render(picture.file.as_deref(), &picture.options)?,
         Some(Command::Verify(picture)) => {
             return command::run_verify(picture.file.as_deref(), &picture.options);
+        }
+        Some(Command::Occlusion(picture)) => {
+            return occlusion::run_occlusion(picture.file.as_deref(), &picture.options);
         }
         Some(Command::Bench(arguments)) => bench::run_bench(&arguments)?,
         Some(Command::Report(arguments)) => report::run_report(&arguments)?,

@@ -10,7 +10,8 @@ use crate::args;
 use crate::camera::Matrix;
 use crate::level::Level;
 use crate::mesh::Mesh;
-use crate::target::{Prepared, Target, TargetError};
+use crate::target::TargetError;
+use crate::way::{Rows, Way};
 
 /// What one picture is drawn with.
 #[derive(Debug, Clone, Copy)]
@@ -40,6 +41,8 @@ pub struct Picture {
     pub depth: Vec<u32>,
     /// Triangle ids; [`halfplane::NO_ID`] where nothing was drawn.
     pub ids: Vec<u32>,
+    /// Whether, of triangles at the same depth, the id is the first one's.
+    pub ordered: bool,
     /// What became of the triangles.
     pub statistics: Statistics,
 }
@@ -69,27 +72,20 @@ pub fn to_clip(mesh: &Mesh, matrix: &Matrix) -> Vec<[f32; 4]> {
     mesh.positions.iter().map(|&position| clip(position, matrix)).collect()
 }
 
-/// Draws a mesh, by its meshlets if they were made; no pixel depends on that.
+/// Draws a mesh one way or another; no pixel depends on that.
 ///
 /// # Errors
 ///
 /// [`RenderError`] where the rasterizer refuses; not for any mesh that was loaded.
-pub fn render(
-    mesh: &Mesh,
-    matrix: &Matrix,
-    settings: &Settings,
-    prepared: Option<&Prepared>,
-) -> Result<Picture, RenderError> {
-    let attachments = args::Attachments::DepthIds.in_format(settings.depth);
-    let mut target = Target::new(&mesh.positions, &mesh.indices, &settings.state())?;
-    target.set_meshlets(prepared.map(Prepared::meshlets));
-    let statistics = target.frame(settings.level, attachments, matrix)?;
+pub fn render(mesh: &Mesh, matrix: &Matrix, settings: &Settings, way: &Way) -> Result<Picture, RenderError> {
+    let Rows { depth, ids, statistics } = way.draw(mesh, matrix, settings)?;
     Ok(Picture {
         width: settings.region.width(),
         height: settings.region.height(),
         bits: settings.depth.bits(),
-        depth: target.depth_rows(attachments)?,
-        ids: target.id_rows(attachments)?,
+        depth,
+        ids,
+        ordered: way.is_ordered(),
         statistics,
     })
 }

@@ -8,16 +8,21 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use halfplane::Statistics;
+use halfplane::bins::TileOrder;
+use halfplane::simd::Occlusion;
 
 use crate::args::{Attachments, Bench};
 use crate::camera::Matrix;
 use crate::command::{self, Subject};
 use crate::error::Error;
+use crate::level::Level;
 use crate::measure::limits::{CLEAR_PIXELS, Limit};
 use crate::measure::motion::Motion;
 use crate::measure::protocol::{Contender, Frame, Plan, Summary, measure};
+use crate::mesh::Mesh;
 use crate::render::Settings;
-use crate::target::{Preparation, Prepared, Stage, Target};
+use crate::target::{Banded, Binned, Occluded, Preparation, Prepared, Stage, Target, TargetError};
+use crate::way::{BINNED, Way};
 
 /// What was measured, and of what.
 #[derive(Debug, Clone)]
@@ -42,6 +47,10 @@ pub struct Outcome {
     pub triangles: usize,
     /// What the meshlets cost, if they were made.
     pub preparation: Option<Preparation>,
+    /// Threads that draw.
+    pub threads: usize,
+    /// What was asked where the camera stands, if frames ask what is hidden.
+    pub asked: Option<Occlusion>,
     /// What became of the triangles, where the camera stands.
     pub statistics: Statistics,
     /// Pixels covered there.
@@ -76,15 +85,79 @@ pub fn run_bench(arguments: &Bench) -> Result<(), Error> {
     command::print(&if *json { outcome.json() } else { outcome.table() })
 }
 
+/// Frames that are no plain draws.
+enum WholeFrame<'m> {
+    Queries(Occluded<'m>),
+    Bins(Binned<'m>),
+    Bands(Banded<'m>),
+}
+
+impl<'m> WholeFrame<'m> {
+    /// What a way needs; nothing for plain draws.
+    fn new(
+        way: &'m Way,
+        mesh: &'m Mesh,
+        settings: &Settings,
+        arguments: &Bench,
+    ) -> Result<Option<Self>, Error> {
+        let (state, with_ids) = (settings.state(), arguments.attachments == Attachments::DepthIds);
+        let written = matches!(arguments.attachments, Attachments::Depth | Attachments::DepthIds);
+        let order = if arguments.hilbert { TileOrder::Hilbert } else { TileOrder::Rows };
+        Ok(Some(match way {
+            Way::Triangles | Way::Meshlets(_) => return Ok(None),
+            Way::Bins(_) if !with_ids => {
+                let message = "--binned is measured with depth and ids: add --attachments depth+ids";
+                return Err(Error::Usage(message.to_owned()));
+            }
+            _ if !written => {
+                let message = "--queries and --threads are measured with --attachments depth or depth+ids";
+                return Err(Error::Usage(message.to_owned()));
+            }
+            Way::Queries(clustered) => Self::Queries(Occluded::new(clustered, &state, with_ids)),
+            Way::Bins(threads) => {
+                Self::Bins(Binned::new(&mesh.positions, &mesh.indices, &state, order, *threads, BINNED)?)
+            }
+            Way::Bands(prepared, threads) => Self::Bands(Banded::new(prepared, &state, *threads, with_ids)?),
+        }))
+    }
+
+    /// Draws one; what became of the triangles, where one thread knows, and what was asked.
+    fn frame(
+        &mut self,
+        level: Level,
+        matrix: &Matrix,
+    ) -> Result<(Option<Statistics>, Option<Occlusion>), TargetError> {
+        Ok(match self {
+            Self::Queries(target) => {
+                let (statistics, occlusion) = target.frame(level, matrix)?;
+                (Some(statistics), Some(occlusion))
+            }
+            Self::Bins(target) => (Some(target.frame(matrix)?.0), None),
+            Self::Bands(target) => {
+                target.frame(level, matrix)?;
+                (None, None)
+            }
+        })
+    }
+}
+
 fn run(subject: &Subject, matrix: &Matrix, settings: &Settings, arguments: &Bench) -> Result<Outcome, Error> {
     let size = (settings.region.width(), settings.region.height());
     let mesh = &subject.mesh;
     let (level, attachments) = (settings.level, arguments.attachments.in_format(settings.depth));
-    let prepared = subject.prepare(&arguments.picture.options)?;
+    let way = Way::of(mesh, &arguments.picture.options)?;
     let mut target = Target::new(&mesh.positions, &mesh.indices, &settings.state())?;
-    target.set_meshlets(prepared.as_ref().map(Prepared::meshlets));
-    let statistics = target.frame(level, attachments, matrix)?;
+    target.set_meshlets(way.meshlets().map(Prepared::meshlets));
+    let mut statistics = target.frame(level, attachments, matrix)?;
     let covered = target.covered(attachments);
+    let mut whole = WholeFrame::new(&way, mesh, settings, arguments)?;
+    let mut asked = None;
+    if let Some(whole) = &mut whole {
+        let (drawn, occlusion) = whole.frame(level, matrix)?;
+        statistics = drawn.unwrap_or(statistics);
+        asked = occlusion;
+    }
+    let whole = RefCell::new(whole);
 
     let motion = arguments.moving.then(|| Motion::new(&mesh.positions, matrix, size));
     let target = RefCell::new(target);
@@ -98,7 +171,10 @@ fn run(subject: &Subject, matrix: &Matrix, settings: &Settings, arguments: &Benc
         }),
         Box::new(|number| {
             let matrix = motion.as_ref().map_or(*matrix, |motion| motion.at(number));
-            let _ = black_box(target.borrow_mut().frame(level, attachments, &matrix));
+            match &mut *whole.borrow_mut() {
+                Some(whole) => drop(black_box(whole.frame(level, &matrix))),
+                None => drop(black_box(target.borrow_mut().frame(level, attachments, &matrix))),
+            }
         }),
     ];
     let plan = Plan {
@@ -120,7 +196,9 @@ fn run(subject: &Subject, matrix: &Matrix, settings: &Settings, arguments: &Benc
         warm_up: arguments.warm_up,
         vertices: mesh.positions.len(),
         triangles: mesh.triangles(),
-        preparation: prepared.as_ref().map(Prepared::preparation),
+        preparation: way.preparation(),
+        threads: arguments.picture.options.threads.get(),
+        asked,
         statistics,
         covered,
         limits: Limits { clear: summary(0), read_modify_write: summary(1), transform: summary(2) },

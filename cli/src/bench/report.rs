@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use halfplane::simd::Occlusion;
+
 use super::{Limits, Outcome};
 use crate::args::Attachments;
 use crate::measure::protocol::Summary;
@@ -26,10 +28,13 @@ impl Outcome {
             Attachments::Ids | Attachments::Coverage => self.attachments.name().to_owned(),
         };
         let preparation = self.preparation.map_or(String::new(), |preparation| format!("{preparation}\n"));
+        let threads =
+            if self.threads == 1 { "one thread".to_owned() } else { format!("{} threads", self.threads) };
+        let asked = self.asked.map_or(String::new(), |asked| format!("{}\n", said(&asked)));
         let camera = if self.moving { "moving" } else { "standing still" };
         let mut text = format!(
-            "{}: {} triangles, {} vertices\n{width}x{height} pixels, {} covered, {written}, level {}\n{preparation}{}\n\
-             one thread; camera {camera}; {} frames measured after {} to warm up; times in ms\n\n",
+            "{}: {} triangles, {} vertices\n{width}x{height} pixels, {} covered, {written}, level {}\n{preparation}{}\n{asked}\
+             {threads}; camera {camera}; {} frames measured after {} to warm up; times in ms\n\n",
             self.scene,
             self.triangles,
             self.vertices,
@@ -81,6 +86,11 @@ impl Outcome {
         let _ = write!(text, ",\"frames\":{},\"warm_up\":{}", s.frames, self.warm_up);
         let _ = write!(text, ",\"triangles\":{},\"vertices\":{}", self.triangles, self.vertices);
         let _ = write!(text, ",\"drawn\":{},\"covered\":{}", self.statistics.drawn, self.covered);
+        let _ = write!(text, ",\"threads\":{}", self.threads);
+        if let Some(Occlusion { batches, hidden_batches, meshlets, hidden_meshlets }) = self.asked {
+            let _ = write!(text, ",\"batches\":{batches},\"hidden_batches\":{hidden_batches}");
+            let _ = write!(text, ",\"tested_meshlets\":{meshlets},\"hidden_meshlets\":{hidden_meshlets}");
+        }
         if let Some(Preparation { meshlets, ms, bytes }) = self.preparation {
             let _ = write!(text, ",\"meshlets\":{meshlets},\"prepare_ms\":{ms:.6},\"meshlet_bytes\":{bytes}");
         }
@@ -105,6 +115,14 @@ impl Outcome {
         );
         text
     }
+}
+
+/// What was asked, in a line.
+fn said(asked: &Occlusion) -> String {
+    let Occlusion { batches, hidden_batches, meshlets, hidden_meshlets } = asked;
+    format!(
+        "asked: batches {batches}, hidden {hidden_batches}; meshlets of the others {meshlets}, hidden {hidden_meshlets}"
+    )
 }
 
 /// A text as JSON writes it.

@@ -38,7 +38,7 @@ mod tests {
     fn picture(depth: Vec<u32>) -> Picture {
         let ids = vec![0; depth.len()];
         let statistics = Statistics::default();
-        Picture { width: depth.len() as u32, height: 1, bits: 32, depth, ids, statistics }
+        Picture { width: depth.len() as u32, height: 1, bits: 32, depth, ids, ordered: true, statistics }
     }
 
     #[test]

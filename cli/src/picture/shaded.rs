@@ -12,6 +12,7 @@ use crate::camera::{Matrix, as_columns};
 use crate::level::Level;
 use crate::mesh::{Finish, Mesh};
 use crate::render::{Picture, RenderError, Settings, render};
+use crate::way::Way;
 
 use super::light::{Light, Look, to_byte};
 use super::shadow::Shadows;
@@ -163,7 +164,7 @@ fn mirror(mesh: &Mesh, matrix: &Matrix, picture: &Picture) -> Result<Picture, Re
         depth: DepthFormat::D32,
         level: Level::detect(),
     };
-    render(&Mesh::plain(positions, indices), matrix, &settings, None)
+    render(&Mesh::plain(positions, indices), matrix, &settings, &Way::Triangles)
 }
 
 /// The nearest and farthest corner along the sight in the middle of the picture.

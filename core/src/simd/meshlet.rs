@@ -190,6 +190,18 @@ impl Meshlet {
         }
     }
 
+    /// Two opposite corners of the box round it, in object space: the smallest x, y and z, and the largest.
+    #[must_use]
+    pub const fn corners_of_box(&self) -> [[f32; 3]; 2] {
+        [self.low, self.high]
+    }
+
+    /// The numbers of its triangles in the mesh.
+    #[must_use]
+    pub fn triangles(&self) -> core::ops::Range<u32> {
+        self.first..self.first.saturating_add(u32::from(self.triangles))
+    }
+
     /// How many vertices there are.
     pub(super) fn vertices(&self) -> usize {
         usize::from(self.vertices)

@@ -14,7 +14,14 @@ use crate::level::Level;
 /// Bands for each thread: those who are done early take another's.
 const BANDS: usize = 4;
 
+/// So many threads.
+pub(super) fn pool(threads: NonZeroUsize) -> Result<rayon::ThreadPool, TargetError> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build();
+    pool.map_err(|error| TargetError::Threads(error.to_string()))
+}
+
 /// What such a frame needs beside the matrix: depth, and ids where they are asked for.
+#[derive(Debug)]
 pub struct Banded<'m> {
     prepared: &'m Prepared,
     state: State<Standard>,
@@ -41,7 +48,6 @@ impl<'m> Banded<'m> {
         let (width, height) = (state.scissor.width(), state.scissor.height());
         let bands = if threads.get() == 1 { 1 } else { threads.get().saturating_mul(BANDS) };
         let band = (height as usize).div_ceil(bands).next_multiple_of(16) as u32;
-        let threads = rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build();
         Ok(Self {
             prepared,
             state: *state,
@@ -49,7 +55,7 @@ impl<'m> Banded<'m> {
             depths: Buffer::new(texels(width, height), u32::MAX),
             ids: with_ids.then(|| Buffer::new(texels(width, height), NO_ID)),
             band,
-            threads: threads.map_err(|error| TargetError::Threads(error.to_string()))?,
+            threads: pool(threads)?,
         })
     }
 
@@ -68,7 +74,8 @@ impl<'m> Banded<'m> {
             Some(ids) => ids.as_mut_slice().chunks_mut(texels).map(Some).collect(),
             None => bands.iter().map(|_| None).collect(),
         };
-        let draw = |scratch: &mut Box<MeshletScratch>, ((y, depths), ids): ((u32, &mut [u32]), Option<&mut [u32]>)| {
+        let draw = |scratch: &mut Box<MeshletScratch>,
+                    ((y, depths), ids): ((u32, &mut [u32]), Option<&mut [u32]>)| {
             let end = area.y1().min(y + *band);
             // Not empty: there is storage for a row of it.
             let Ok(region) = Region::new(area.x0(), y, area.x1(), end) else { return Ok(()) };

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use halfplane::simd::{self, Batch, Meshlet};
 
-use super::TargetError;
+use super::{Preparation, TargetError};
 
 /// A mesh's triangles in clusters.
 #[derive(Debug, Clone)]
@@ -52,9 +52,13 @@ impl Clustered {
         &self.batches
     }
 
-    /// How long making it all took, in milliseconds.
+    /// What it cost.
     #[must_use]
-    pub fn ms(&self) -> f64 {
-        self.time.as_secs_f64() * 1e3
+    pub fn preparation(&self) -> Preparation {
+        Preparation {
+            meshlets: self.meshlets.len(),
+            ms: self.time.as_secs_f64() * 1e3,
+            bytes: size_of_val(self.meshlets()) + size_of_val(self.batches()),
+        }
     }
 }

@@ -14,6 +14,8 @@ pub enum TargetError {
     Meshlets(MeshletError),
     /// The rasterizer refused the draw.
     Draw(DrawError),
+    /// There are no threads, and why.
+    Threads(String),
 }
 
 impl fmt::Display for TargetError {
@@ -22,6 +24,7 @@ impl fmt::Display for TargetError {
             Self::Storage(error) => error.fmt(f),
             Self::Meshlets(error) => error.fmt(f),
             Self::Draw(error) => error.fmt(f),
+            Self::Threads(why) => write!(f, "no threads: {why}"),
         }
     }
 }

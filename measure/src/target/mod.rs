@@ -2,8 +2,12 @@
 //! its stages. The command and the measurements of whole scenes go through it.
 
 mod attachments;
+mod banded;
+mod binned;
 mod buffers;
+mod clustered;
 mod error;
+mod occluded;
 mod prepared;
 
 use std::hint::black_box;
@@ -14,7 +18,11 @@ use halfplane::{
 };
 
 pub use attachments::Attachments;
+pub use banded::Banded;
+pub use binned::Binned;
+pub use clustered::Clustered;
 pub use error::TargetError;
+pub use occluded::{Answer, Occluded};
 pub use prepared::{Preparation, Prepared};
 
 use buffers::{Buffers, Visitor};
@@ -238,6 +246,11 @@ impl<'m> Target<'m> {
     }
 }
 
+/// A matrix in rows.
+fn rows_of(m: &Matrix) -> [[f32; 4]; 4] {
+    [0, 4, 8, 12].map(|row| [m[row], m[row + 1], m[row + 2], m[row + 3]])
+}
+
 /// What a draw is told to draw.
 #[derive(Clone, Copy)]
 enum Drawn<'m> {
@@ -265,7 +278,7 @@ impl Visitor for Shot<'_> {
     fn visit<A: RowAttachment>(self, attachments: &mut A) -> Self::Result {
         let Self { level, state, viewport, scratch, .. } = self;
         let m = self.matrix;
-        let rows = [0, 4, 8, 12].map(|row| [m[row], m[row + 1], m[row + 2], m[row + 3]]);
+        let rows = rows_of(m);
         let triangles = match self.drawn {
             Drawn::Triangles(triangles) => triangles,
             Drawn::Meshlets(meshlets) => {

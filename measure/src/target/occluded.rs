@@ -1,9 +1,9 @@
-//! Frames that ask what is hidden before they draw it: depth alone.
+//! Frames that ask what is hidden before they draw it.
 
 use halfplane::simd::{BatchOrder, MeshletScratch, Occlusion, draw_batches};
 use halfplane::{
-    D32, Depth, DepthFormat, DepthRange, DepthTest, HierarchicalDepth, Standard, State, Statistics, Viewport,
-    depth_ranges, texels,
+    Bound, Depth, DepthRange, DepthTest, Frustum, HierarchicalDepth, Ids, NO_ID, Standard, State, Statistics,
+    Viewport, depth_ranges, texels,
 };
 
 use super::{Clustered, TargetError, rows_of};
@@ -11,65 +11,92 @@ use crate::Matrix;
 use crate::buffer::Buffer;
 use crate::level::Level;
 
-/// What such a frame needs beside the matrix.
+/// What such a frame needs beside the matrix: depth, and ids where they are asked for.
 #[derive(Debug)]
 pub struct Occluded<'m> {
     clustered: &'m Clustered,
     state: State<Standard>,
     viewport: Viewport<Standard>,
     depths: Buffer<u32>,
+    ids: Option<Buffer<u32>>,
     ranges: Vec<DepthRange>,
     order: Vec<BatchOrder>,
     scratch: Box<MeshletScratch>,
 }
 
+/// What is said of a box.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Answer {
+    /// Outside the view.
+    Outside,
+    /// Hidden behind the depths.
+    Hidden,
+    /// Neither.
+    Visible,
+}
+
 impl<'m> Occluded<'m> {
     /// For a clustered mesh; the picture is the state's scissor.
     #[must_use]
-    pub fn new(clustered: &'m Clustered, state: &State<Standard>) -> Self {
+    pub fn new(clustered: &'m Clustered, state: &State<Standard>, with_ids: bool) -> Self {
         let (width, height) = (state.scissor.width(), state.scissor.height());
         Self {
             clustered,
             state: *state,
             viewport: Viewport::new(state.scissor),
-            depths: Buffer::new(texels(width, height), <D32 as DepthFormat<Standard>>::FAR),
+            depths: Buffer::new(texels(width, height), u32::MAX),
+            ids: with_ids.then(|| Buffer::new(texels(width, height), NO_ID)),
             ranges: vec![DepthRange::UNKNOWN; depth_ranges(width, height)],
             order: vec![BatchOrder::default(); clustered.batches().len()],
             scratch: Box::default(),
         }
     }
 
-    fn depth(&mut self) -> Result<HierarchicalDepth<'_, Standard>, TargetError> {
-        let (depths, ranges) = (self.depths.as_mut_slice(), &mut self.ranges);
-        Ok(HierarchicalDepth::new(self.state.scissor, depths, ranges, DepthTest::LESS)?)
-    }
-
-    /// Everything from positions and a matrix to finished depths: clear, sort, ask, transform, draw.
+    /// Everything from positions and a matrix to finished buffers: clear, sort, ask, transform, draw.
     ///
     /// # Errors
     ///
     /// [`TargetError`] where the rasterizer refuses; if not the first time, then never.
     pub fn frame(&mut self, level: Level, matrix: &Matrix) -> Result<(Statistics, Occlusion), TargetError> {
-        let Self { clustered, state, viewport, depths, ranges, order, scratch } = self;
-        let mut depth =
-            HierarchicalDepth::<Standard>::new(state.scissor, depths.as_mut_slice(), ranges, DepthTest::LESS)?;
-        depth.clear(u32::MAX);
+        let Self { clustered, state, viewport, depths, ids, ranges, order, scratch } = self;
+        let (region, rows) = (state.scissor, rows_of(matrix));
         let (batches, meshlets) = (clustered.batches(), clustered.meshlets());
-        let rows = rows_of(matrix);
-        Ok(draw_batches(level, batches, meshlets, rows, *viewport, order, scratch, 0, state, &mut depth)?)
+        let depths = depths.as_mut_slice();
+        let mut depth = HierarchicalDepth::<Standard>::new(region, depths, ranges, DepthTest::LESS)?;
+        depth.clear(u32::MAX);
+        let Some(ids) = ids else {
+            return Ok(draw_batches(
+                level, batches, meshlets, rows, *viewport, order, scratch, 0, state, &mut depth,
+            )?);
+        };
+        let mut ids = Ids::new(region, ids.as_mut_slice())?;
+        ids.clear();
+        let mut both = (&mut depth, &mut ids);
+        Ok(draw_batches(level, batches, meshlets, rows, *viewport, order, scratch, 0, state, &mut both)?)
     }
 
-    /// What is hidden behind the last frame's depths: asks of every box between two corners.
+    /// What is said of boxes, each between two corners, behind the last frame's depths.
     ///
     /// # Errors
     ///
     /// None for memory that was made here.
-    pub fn ask<R>(
-        &mut self,
-        questions: impl FnOnce(&mut HierarchicalDepth<'_, Standard>, &Viewport<Standard>) -> R,
-    ) -> Result<R, TargetError> {
-        let viewport = self.viewport;
-        Ok(questions(&mut self.depth()?, &viewport))
+    pub fn ask(&mut self, matrix: &Matrix, boxes: &[[[f32; 3]; 2]]) -> Result<Vec<Answer>, TargetError> {
+        let (state, rows) = (self.state, rows_of(matrix));
+        let depths = self.depths.as_mut_slice();
+        let mut depth =
+            HierarchicalDepth::<Standard>::new(state.scissor, depths, &mut self.ranges, DepthTest::LESS)?;
+        let frustum = Frustum::of_area(&rows, &self.viewport, state.scissor);
+        let answer = |&corners: &[[f32; 3]; 2]| {
+            if frustum.excludes_box(corners) {
+                return Answer::Outside;
+            }
+            match self.viewport.bound_box(&rows, corners, state.sample) {
+                Bound::Nothing => Answer::Outside,
+                Bound::Within { area, depths: [nearest, _] } if depth.hides(area, nearest) => Answer::Hidden,
+                Bound::Within { .. } | Bound::Anything => Answer::Visible,
+            }
+        };
+        Ok(boxes.iter().map(answer).collect())
     }
 
     /// The depths in rows from the top.
@@ -81,6 +108,19 @@ impl<'m> Occluded<'m> {
         let region = self.state.scissor;
         let mut rows = vec![0; region.width() as usize * region.height() as usize];
         Depth::<Standard>::new(region, self.depths.as_mut_slice(), DepthTest::LESS)?.to_linear(&mut rows)?;
+        Ok(rows)
+    }
+
+    /// The ids in rows from the top: places in the clustered list; none where none are drawn.
+    ///
+    /// # Errors
+    ///
+    /// None that a target can have.
+    pub fn id_rows(&mut self) -> Result<Vec<u32>, TargetError> {
+        let region = self.state.scissor;
+        let Some(ids) = &mut self.ids else { return Ok(Vec::new()) };
+        let mut rows = vec![NO_ID; region.width() as usize * region.height() as usize];
+        Ids::<Standard>::new(region, ids.as_mut_slice())?.to_linear(&mut rows)?;
         Ok(rows)
     }
 }
