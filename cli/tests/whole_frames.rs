@@ -125,7 +125,8 @@ fn bench(folder: &Folder, arguments: &[&str]) -> Value {
 #[test]
 fn frames_of_every_way_are_timed() {
     let folder = Folder::new("ways_bench");
-    let number = |object: &Value, name: &str| object[name].as_f64().unwrap_or_else(|| panic!("{name}: {object}"));
+    let number =
+        |object: &Value, name: &str| object[name].as_f64().unwrap_or_else(|| panic!("{name}: {object}"));
     let queries = bench(&folder, &["--queries"]);
     assert!(number(&queries, "batches") > 0.0 && number(&queries, "hidden_batches") >= 0.0, "{queries}");
     assert!(number(&queries, "hidden_meshlets") <= number(&queries, "tested_meshlets"), "{queries}");
@@ -146,7 +147,8 @@ fn occlusion_is_judged_and_shown() {
     let folder = Folder::new("occlusion");
     let text = folder.succeed(&["occlusion", "--size", "203x117"]);
     let value = |name: &str| {
-        let line = text.lines().find(|line| line.starts_with(name)).unwrap_or_else(|| panic!("{name}: {text}"));
+        let line =
+            text.lines().find(|line| line.starts_with(name)).unwrap_or_else(|| panic!("{name}: {text}"));
         line.split_whitespace().last().and_then(|word| word.parse::<u32>().ok()).unwrap()
     };
     let (all, outside, culled) = (value("occludees"), value("outside"), value("culled"));

@@ -1,7 +1,7 @@
 //! The lists of the tiles: chunks of entries, from a caller's memory.
 
 /// Entries in a chunk: with its links, a cache line.
-const ENTRIES: usize = 14;
+pub(super) const ENTRIES: usize = 14;
 
 /// No chunk.
 const NONE: u32 = u32::MAX;

@@ -8,6 +8,8 @@ mod add;
 mod draw;
 mod lists;
 mod order;
+#[cfg(any(kani, test))]
+mod proofs;
 
 pub use add::Added;
 pub use draw::{BinnedDraw, draw_binned};

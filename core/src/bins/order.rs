@@ -31,7 +31,7 @@ impl TileOrder {
 
 /// The place of a number on Hilbert's curve through a square whose side is a power of two: of each two bits, from the
 /// lowest up, a quadrant, and what was found so far turned into it.
-fn hilbert(side: u32, mut at: u64) -> (u32, u32) {
+pub(super) fn hilbert(side: u32, mut at: u64) -> (u32, u32) {
     let (mut x, mut y) = (0, 0);
     let mut size = 1;
     while size < side {

@@ -9,7 +9,7 @@ use crate::{
 
 /// The depths that nothing from some depth on can pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Limit {
+pub(in crate::attachments) enum Limit {
     /// This one and all smaller.
     UpTo(u32),
     /// This one and all greater.
@@ -22,7 +22,10 @@ impl Limit {
     /// A sample's depth is less than two units before the nearest of its vertices
     /// ([`MAX_DEPTH_ERROR_2_16`](crate::Bounds::MAX_DEPTH_ERROR_2_16)), so at most one.
     #[inline(always)]
-    pub(super) fn new<F: Format, D: DepthFormat<F>>(compare: Compare, nearest: u32) -> Option<Self> {
+    pub(in crate::attachments) fn new<F: Format, D: DepthFormat<F>>(
+        compare: Compare,
+        nearest: u32,
+    ) -> Option<Self> {
         // As vertices have it.
         let nearest = nearest.clamp(DEPTH32_MIN, DEPTH32_MAX);
         let depth = D::vertex(nearest) >> (F::Word::HALF_BITS - D::BITS);
@@ -37,7 +40,7 @@ impl Limit {
 
     /// Whether every depth of a range hides it.
     #[inline(always)]
-    pub(super) const fn hides(self, range: DepthRange) -> bool {
+    pub(in crate::attachments) const fn hides(self, range: DepthRange) -> bool {
         match self {
             Self::UpTo(limit) => range.high <= limit,
             Self::From(limit) => range.low >= limit,
@@ -46,7 +49,7 @@ impl Limit {
 
     /// The lanes whose depth does not hide it.
     #[inline(always)]
-    pub(super) fn shows<L: Lanes>(self, token: L::Token, stored: L) -> u16 {
+    pub(in crate::attachments) fn shows<L: Lanes>(self, token: L::Token, stored: L) -> u16 {
         L::bits(match self {
             Self::UpTo(limit) => L::splat(token, limit).less(stored),
             Self::From(limit) => stored.less(L::splat(token, limit)),

@@ -1,7 +1,7 @@
 //! Depth with the nearest and the farthest value of each square of 16x16 pixels and each tile of 64x64.
 
-mod limit;
-mod range;
+pub(super) mod limit;
+pub(super) mod range;
 
 pub use range::{DepthRange, depth_ranges};
 
@@ -252,7 +252,7 @@ impl<'a, F: Format, D: DepthFormat<F>> HierarchicalDepth<'a, F, D> {
 
 /// A square of a region, as far as it is inside.
 #[inline(always)]
-fn square<F: Format>(region: Region<F>, column: u32, row: u32) -> Option<Region<F>> {
+pub(super) fn square<F: Format>(region: Region<F>, column: u32, row: u32) -> Option<Region<F>> {
     let (x, y) = (region.x0() + SQUARE * column, region.y0() + SQUARE * row);
     region.cut(x, y, x + SQUARE, y + SQUARE)
 }

@@ -3,16 +3,16 @@
 use crate::traversal::TILE;
 
 /// Pixels in the width and height of a square: 16 of them are a tile.
-pub(super) const SQUARE: u32 = TILE / 4;
+pub(in crate::attachments) const SQUARE: u32 = TILE / 4;
 
 /// Memory for what is known of the depths in a square or a tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DepthRange {
     /// No depth is smaller, and none greater.
-    pub(super) low: u32,
-    pub(super) high: u32,
+    pub(in crate::attachments) low: u32,
+    pub(in crate::attachments) high: u32,
     /// When both were depths; 0 is never.
-    pub(super) version: u32,
+    pub(in crate::attachments) version: u32,
 }
 
 impl DepthRange {
@@ -21,13 +21,13 @@ impl DepthRange {
 
     /// A depth alone.
     #[inline(always)]
-    pub(super) const fn one(depth: u32) -> Self {
+    pub(in crate::attachments) const fn one(depth: u32) -> Self {
         Self { low: depth, high: depth, version: 0 }
     }
 
     /// The range of both.
     #[inline(always)]
-    pub(super) const fn with(self, other: Self) -> Self {
+    pub(in crate::attachments) const fn with(self, other: Self) -> Self {
         let low = if other.low < self.low { other.low } else { self.low };
         let high = if other.high > self.high { other.high } else { self.high };
         Self { low, high, version: self.version }
@@ -45,7 +45,7 @@ pub const fn depth_ranges(width: u32, height: u32) -> usize {
 
 /// Ranges in rows.
 #[derive(Debug)]
-pub(super) struct Squares<'a> {
+pub(in crate::attachments) struct Squares<'a> {
     ranges: &'a mut [DepthRange],
     columns: u32,
     rows: u32,
@@ -53,7 +53,7 @@ pub(super) struct Squares<'a> {
 
 impl<'a> Squares<'a> {
     /// Rows of ranges in the first elements of a slice, and those left.
-    pub(super) fn split(
+    pub(in crate::attachments) fn split(
         ranges: &'a mut [DepthRange],
         columns: u32,
         rows: u32,
@@ -64,12 +64,12 @@ impl<'a> Squares<'a> {
     }
 
     /// How many there are in a row.
-    pub(super) const fn columns(&self) -> u32 {
+    pub(in crate::attachments) const fn columns(&self) -> u32 {
         self.columns
     }
 
     /// How many rows there are.
-    pub(super) const fn rows(&self) -> u32 {
+    pub(in crate::attachments) const fn rows(&self) -> u32 {
         self.rows
     }
 
@@ -80,25 +80,25 @@ impl<'a> Squares<'a> {
 
     /// One of them; beside them, any depths.
     #[inline(always)]
-    pub(super) fn get(&self, column: u32, row: u32) -> DepthRange {
+    pub(in crate::attachments) fn get(&self, column: u32, row: u32) -> DepthRange {
         self.ranges.get(self.place(column, row)).copied().unwrap_or(DepthRange::UNKNOWN)
     }
 
     #[inline(always)]
-    pub(super) fn set(&mut self, column: u32, row: u32, range: DepthRange) {
+    pub(in crate::attachments) fn set(&mut self, column: u32, row: u32, range: DepthRange) {
         let place = self.place(column, row);
         if let Some(to) = self.ranges.get_mut(place) {
             *to = range;
         }
     }
 
-    pub(super) fn fill(&mut self, range: DepthRange) {
+    pub(in crate::attachments) fn fill(&mut self, range: DepthRange) {
         self.ranges.fill(range);
     }
 
     /// Takes all for what they were at some time.
     #[cold]
-    pub(super) fn forget(&mut self) {
+    pub(in crate::attachments) fn forget(&mut self) {
         for range in &mut *self.ranges {
             range.version = 0;
         }

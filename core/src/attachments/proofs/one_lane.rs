@@ -7,6 +7,13 @@ use crate::lanes::Lanes;
 #[derive(Clone, Copy)]
 pub(super) struct OneLane<const LANE: usize>(u32);
 
+impl<const LANE: usize> OneLane<LANE> {
+    /// The lane with a value.
+    pub(super) const fn of(value: u32) -> Self {
+        Self(value)
+    }
+}
+
 impl<const LANE: usize> Lanes for OneLane<LANE> {
     type Token = ();
     type Mask = bool;
