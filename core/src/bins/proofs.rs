@@ -13,33 +13,39 @@ use crate::{
     traversal::{Mask, TILE, fill},
 };
 
+/// Entries from a number on, each into the tile that a bit says, with memory of so many chunks.
+fn come_back_in_order(first: u32, pushes: u32, chunks: usize) {
+    let (mut tiles, mut memory) = ([BinTile::EMPTY; 2], [BinChunk::EMPTY; 3]);
+    let mut lists = Lists::new(&mut tiles, &mut memory[..chunks]);
+    let mut taken = [[None; 4], [None; 4]];
+    let mut counts = [0, 0];
+    for turn in 0..4 {
+        let (entry, tile) = (first + turn, (pushes >> turn & 1) as usize);
+        let used = usize::from(counts[0] > 0) + usize::from(counts[1] > 0);
+        let pushed = lists.push(tile, entry);
+        assert!(pushed == (counts[tile] > 0 || used < chunks));
+        if pushed {
+            taken[tile][counts[tile]] = Some(entry);
+            counts[tile] += 1;
+        }
+    }
+    for tile in 0..2 {
+        let mut entries = lists.entries(tile);
+        for at in 0..4 {
+            assert!(entries.next() == taken[tile][at]);
+        }
+    }
+    assert!(!lists.push(2, 0) && lists.entries(2).next().is_none());
+}
+
 prove! {
     /// Every entry that was taken is there, in order, and none else; a full memory refuses, and nothing is changed.
     #[kani::unwind(18)]
     [Lists::new, Lists::clear, Lists::push, Lists::entries]
-    fn entries_come_back_in_order(pushes: [bool; 4], chunks: usize = 0..=3) {
-        let (mut tiles, mut memory) = ([BinTile::EMPTY; 2], [BinChunk::EMPTY; 3]);
-        let mut lists = Lists::new(&mut tiles, &mut memory[..chunks]);
-        let mut taken = [[None; 4], [None; 4]];
-        let mut counts = [0, 0];
-        for (entry, &second) in (7..).zip(&pushes) {
-            let tile = usize::from(second);
-            let needs = counts[tile] == 0;
-            let used = usize::from(counts[0] > 0) + usize::from(counts[1] > 0);
-            let pushed = lists.push(tile, entry);
-            assert!(pushed == (!needs || used < chunks));
-            if pushed {
-                taken[tile][counts[tile]] = Some(entry);
-                counts[tile] += 1;
-            }
+    fn entries_come_back_in_order(first: u32 = 0..=1 << 31) {
+        for (pushes, chunks) in [(0b0101, 2), (0b1110, 1), (0b0010, 3), (0b0000, 0), (0b0111, 2)] {
+            come_back_in_order(first, pushes, chunks);
         }
-        for tile in 0..2 {
-            let mut entries = lists.entries(tile);
-            for at in 0..4 {
-                assert!(entries.next() == taken[tile][at]);
-            }
-        }
-        assert!(!lists.push(2, 0) && lists.entries(2).next().is_none());
     }
 
     /// A list longer than a chunk goes on in the next one, and back.
