@@ -5,9 +5,9 @@ use halfplane::simd::Occlusion;
 use halfplane_tests::{
     properties::{
         batches::{
-            batches_are_the_mesh, bounds_of_points_are_tight, boxes_bound_what_they_hold, clusters_are_small,
-            clusters_are_the_same_triangles, ids_of_batches_are_the_nearest, short_memory_is_refused,
-            spheres_left_out_are_outside,
+            answers_are_certain, batches_are_the_mesh, bounds_of_points_are_tight,
+            boxes_bound_what_they_hold, clusters_are_small, clusters_are_the_same_triangles,
+            ids_of_batches_are_the_nearest, short_memory_is_refused, spheres_left_out_are_outside,
         },
         simd::Case,
     },
@@ -85,6 +85,19 @@ fn ids_of_batches_are_those_of_the_nearest() {
         Ok(())
     });
     asked.assert_hidden(50);
+}
+
+#[test]
+fn what_is_said_to_be_out_of_sight_is() {
+    let met = Cell::new([0; 3]);
+    check(sizes::BATCH_FRAME, case(2..=60, &LARGE), |case| {
+        let (sum, more) = (met.get(), answers_are_certain(&case)?);
+        met.set(std::array::from_fn(|answer| sum[answer] + more[answer]));
+        Ok(())
+    });
+    println!("outside, hidden, visible: {:?}", met.get());
+    let all: u32 = met.get().iter().sum();
+    assert!(met.get().iter().all(|&count| count > all / 50), "{:?}", met.get());
 }
 
 #[test]

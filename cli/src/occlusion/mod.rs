@@ -7,7 +7,7 @@ use std::fmt;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use halfplane::simd::Occlusion;
+use halfplane::simd::{Occlusion, Visibility};
 use halfplane_reference::{Compare, DepthSpec, render as reference_render};
 
 use crate::args::Options;
@@ -17,7 +17,7 @@ use crate::measure::protocol::{Contender, Frame, Plan, Summary, measure};
 use crate::output::Outputs;
 use crate::picture;
 use crate::render::{Picture, RenderError, to_clip};
-use crate::target::{Answer, Attachments, Clustered, Occluded, Target};
+use crate::target::{Attachments, Clustered, Occluded, Target};
 use crate::verify;
 
 /// What was found.
@@ -57,8 +57,10 @@ pub fn run_occlusion(file: Option<&Path>, options: &Options) -> Result<bool, Err
 
     let mut target = Occluded::new(&clustered, &state, true);
     let (statistics, asked) = target.frame(level, &matrix)?;
+    let mut answers = vec![Visibility::default(); boxes.len()];
+    // The first time looks at depths, as a frame's questions do; later ones find the ranges known.
     let started = Instant::now();
-    let answers = target.ask(&matrix, &boxes)?;
+    target.ask(level, &matrix, &boxes, &mut answers)?;
     let questions = started.elapsed();
 
     // The exact picture, of the triangles in the clusters' order: its ids are places in it.
@@ -73,7 +75,7 @@ pub fn run_occlusion(file: Option<&Path>, options: &Options) -> Result<bool, Err
         exact(Compare::Less)?.ids.into_iter().chain(exact(Compare::LessEqual)?.ids).collect();
     let is_seen: Vec<bool> =
         clustered.meshlets().iter().map(|meshlet| meshlet.triangles().any(|id| seen.contains(&id))).collect();
-    let count = |answer: Answer, is: Option<bool>| {
+    let count = |answer: Visibility, is: Option<bool>| {
         let judged = answers.iter().zip(&is_seen);
         judged.filter(|&(&given, &seen)| given == answer && is.is_none_or(|is| is == seen)).count()
     };
@@ -90,10 +92,10 @@ pub fn run_occlusion(file: Option<&Path>, options: &Options) -> Result<bool, Err
     let time = |place: usize| times.get(place).copied().unwrap_or_default();
     let findings = Findings {
         occludees: boxes.len(),
-        outside: count(Answer::Outside, None),
-        culled: count(Answer::Hidden, None),
-        wrongly: count(Answer::Hidden, Some(true)) + count(Answer::Outside, Some(true)),
-        falsely: count(Answer::Visible, Some(false)),
+        outside: count(Visibility::Outside, None),
+        culled: count(Visibility::Hidden, None),
+        wrongly: count(Visibility::Hidden, Some(true)) + count(Visibility::Outside, Some(true)),
+        falsely: count(Visibility::Visible, Some(false)),
         asked,
         hidden: statistics.culled.hidden,
         with: time(0),
@@ -108,7 +110,7 @@ pub fn run_occlusion(file: Option<&Path>, options: &Options) -> Result<bool, Err
     let mut pixels: Vec<[u8; 3]> =
         picture::grey(&drawn).into_iter().map(|grey| [(grey >> 9) as u8; 3]).collect();
     // Those that are seen last, over the others.
-    for (answer, colour) in [(Answer::Hidden, [255, 64, 48]), (Answer::Visible, [48, 224, 64])] {
+    for (answer, colour) in [(Visibility::Hidden, [255, 64, 48]), (Visibility::Visible, [48, 224, 64])] {
         for (corners, _) in boxes.iter().zip(&answers).filter(|(_, given)| **given == answer) {
             lines::draw_box(&mut pixels, (width, height), &matrix, corners, colour);
         }

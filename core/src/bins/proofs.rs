@@ -29,10 +29,10 @@ fn come_back_in_order(first: u32, pushes: u32, chunks: usize) {
             counts[tile] += 1;
         }
     }
-    for tile in 0..2 {
+    for (tile, taken) in taken.into_iter().enumerate() {
         let mut entries = lists.entries(tile);
-        for at in 0..4 {
-            assert!(entries.next() == taken[tile][at]);
+        for entry in taken {
+            assert!(entries.next() == entry);
         }
     }
     assert!(!lists.push(2, 0) && lists.entries(2).next().is_none());

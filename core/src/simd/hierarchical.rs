@@ -5,7 +5,7 @@ use super::{
     setup::DepthSetup,
 };
 use crate::{
-    attachments::{Compare, Depth, DepthFormat, HierarchicalDepth},
+    attachments::{Attachment as _, Compare, Depth, DepthFormat, HierarchicalDepth, OutsideAttachment},
     geometry::Region,
     lanes::Lanes,
     numbers::Standard,
@@ -23,6 +23,10 @@ pub trait Occluder: Sealed {
     /// would be seen nowhere.
     #[doc(hidden)]
     fn hides<L: Lanes>(&mut self, token: L::Token, area: Region<Standard>, depths: [u32; 2]) -> bool;
+
+    /// Whether there are depths for all pixels of an area.
+    #[doc(hidden)]
+    fn check_area(&self, area: Region<Standard>) -> Result<(), OutsideAttachment>;
 }
 
 impl<D: DepthFormat<Standard>> Sealed for HierarchicalDepth<'_, Standard, D> {}
@@ -36,6 +40,10 @@ impl<D: DepthFormat<Standard>> Occluder for HierarchicalDepth<'_, Standard, D> {
         };
         self.hides_with::<L>(token, area, nearest)
     }
+
+    fn check_area(&self, area: Region<Standard>) -> Result<(), OutsideAttachment> {
+        self.check(area)
+    }
 }
 
 impl<A: Occluder> Sealed for &mut A {}
@@ -45,6 +53,10 @@ impl<A: Occluder> Occluder for &mut A {
     fn hides<L: Lanes>(&mut self, token: L::Token, area: Region<Standard>, depths: [u32; 2]) -> bool {
         (**self).hides::<L>(token, area, depths)
     }
+
+    fn check_area(&self, area: Region<Standard>) -> Result<(), OutsideAttachment> {
+        (**self).check_area(area)
+    }
 }
 
 impl<A: Occluder, B> Sealed for (A, B) {}
@@ -53,6 +65,10 @@ impl<A: Occluder, B> Occluder for (A, B) {
     #[inline(always)]
     fn hides<L: Lanes>(&mut self, token: L::Token, area: Region<Standard>, depths: [u32; 2]) -> bool {
         self.0.hides::<L>(token, area, depths)
+    }
+
+    fn check_area(&self, area: Region<Standard>) -> Result<(), OutsideAttachment> {
+        self.0.check_area(area)
     }
 }
 

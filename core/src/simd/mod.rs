@@ -62,6 +62,7 @@ mod ops;
 mod pipeline;
 #[cfg(any(kani, test))]
 mod proofs;
+mod questions;
 mod queue;
 mod rows;
 mod setup;
@@ -79,5 +80,6 @@ pub use hierarchical::Occluder;
 pub use level::Level;
 pub use meshlet::{Meshlet, MeshletError, make_meshlets, max_meshlets};
 pub use occluded::{BatchOrder, Occlusion, draw_batches};
+pub use questions::{Visibility, ask};
 pub use vertex::Snapped;
 pub use window::MeshletScratch;

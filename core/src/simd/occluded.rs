@@ -9,16 +9,16 @@ use super::{
     level::Level,
     meshlet::{Meshlet, MeshletPositions},
     pipeline::{Drawing, Scratch},
+    questions::{Questions, Visibility},
     source::InView,
     vertex::VertexLanes,
     window::MeshletScratch,
 };
 use crate::{
     draw::{self, DrawError, State, Statistics},
-    geometry::Region,
     lanes::{ArrayLanes, Lanes, VectorLanes},
     numbers::Standard,
-    transform::{Bound, Frustum, ModelPositions, Viewport},
+    transform::{Frustum, ModelPositions, Viewport},
 };
 use fearless_simd::{Simd, dispatch};
 
@@ -91,7 +91,8 @@ pub fn draw_batches<A: RowAttachment + Occluder>(
     });
     statistics.culled.outside = outside;
     let order = order.iter().filter_map(|key| batches.get(key.0 as u32 as usize));
-    let pass = Pass { meshlets, matrix: &matrix, viewport: &viewport, first_id, area, state };
+    let questions = Questions { frustum, matrix: &matrix, viewport: &viewport, state, area };
+    let pass = Pass { meshlets, first_id, questions };
     let mut occlusion = Occlusion::default();
     match level.0.filter(|_| attachments.fast()) {
         Some(vectors) => dispatch!(vectors, simd => {
@@ -165,11 +166,8 @@ fn sort<'o>(
 #[derive(Clone, Copy)]
 struct Pass<'a> {
     meshlets: &'a [Meshlet],
-    matrix: &'a [[f32; 4]; 4],
-    viewport: &'a Viewport<Standard>,
     first_id: u32,
-    area: Region<Standard>,
-    state: &'a State<Standard>,
+    questions: Questions<'a>,
 }
 
 impl<'a> Pass<'a> {
@@ -184,11 +182,10 @@ impl<'a> Pass<'a> {
         attachments: &mut A,
         mut draw: impl FnMut(u32, &'a Meshlet, &mut A, &mut Statistics),
     ) {
-        let frustum = Frustum::of_area(self.matrix, self.viewport, self.area);
         for batch in order {
             let members = batch.meshlets(self.meshlets);
             occlusion.batches += 1;
-            if self.is_hidden::<L, A>(token, batch.corners(), attachments) {
+            if self.questions.ask::<L, A>(token, batch.corners(), attachments) != Visibility::Visible {
                 occlusion.hidden_batches += 1;
                 statistics.culled.hidden += triangles_of(members);
                 continue;
@@ -196,36 +193,18 @@ impl<'a> Pass<'a> {
             for (number, meshlet) in (batch.first()..).zip(members) {
                 let corners = [meshlet.low, meshlet.high];
                 let count = meshlet.corners().len() as u32;
-                if frustum.excludes_box(corners) {
+                if self.questions.frustum.excludes_box(corners) {
                     statistics.culled.outside += count;
                     continue;
                 }
                 occlusion.meshlets += 1;
-                if self.is_hidden::<L, A>(token, corners, attachments) {
+                if self.questions.ask::<L, A>(token, corners, attachments) != Visibility::Visible {
                     occlusion.hidden_meshlets += 1;
                     statistics.culled.hidden += count;
                     continue;
                 }
                 draw(number, meshlet, attachments, statistics);
             }
-        }
-    }
-
-    /// Whether nothing in a box would be seen.
-    #[inline(always)]
-    fn is_hidden<L: Lanes, A: Occluder>(
-        &self,
-        token: L::Token,
-        corners: [[f32; 3]; 2],
-        attachments: &mut A,
-    ) -> bool {
-        match self.viewport.bound_box(self.matrix, corners, self.state.sample) {
-            Bound::Nothing => true,
-            Bound::Within { area, depths } => match area.intersect(self.area) {
-                Some(area) => attachments.hides::<L>(token, area, depths),
-                None => true,
-            },
-            Bound::Anything => false,
         }
     }
 }
@@ -263,7 +242,7 @@ impl<S: Simd> Vectors<'_, S> {
     /// Draws what is there.
     #[inline(always)]
     fn flush<A: RowAttachment>(&mut self, attachments: &mut A, statistics: &mut Statistics) {
-        let Pass { meshlets, first_id, area, state, .. } = self.pass;
+        let Pass { meshlets, first_id, questions: Questions { area, state, .. } } = self.pass;
         let scratch = &*self.scratch;
         let drawing = Drawing {
             simd: self.simd,

@@ -22,7 +22,7 @@ pub use banded::Banded;
 pub use binned::Binned;
 pub use clustered::Clustered;
 pub use error::TargetError;
-pub use occluded::{Answer, Occluded};
+pub use occluded::Occluded;
 pub use prepared::{Preparation, Prepared};
 
 use buffers::{Buffers, Visitor};

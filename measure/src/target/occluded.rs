@@ -1,9 +1,9 @@
 //! Frames that ask what is hidden before they draw it.
 
-use halfplane::simd::{BatchOrder, MeshletScratch, Occlusion, draw_batches};
+use halfplane::simd::{self, BatchOrder, MeshletScratch, Occlusion, Visibility, draw_batches};
 use halfplane::{
-    Bound, Depth, DepthRange, DepthTest, Frustum, HierarchicalDepth, Ids, NO_ID, Standard, State, Statistics,
-    Viewport, depth_ranges, texels,
+    Depth, DepthRange, DepthTest, HierarchicalDepth, Ids, NO_ID, Standard, State, Statistics, Viewport,
+    depth_ranges, texels,
 };
 
 use super::{Clustered, TargetError, rows_of};
@@ -22,17 +22,6 @@ pub struct Occluded<'m> {
     ranges: Vec<DepthRange>,
     order: Vec<BatchOrder>,
     scratch: Box<MeshletScratch>,
-}
-
-/// What is said of a box.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Answer {
-    /// Outside the view.
-    Outside,
-    /// Hidden behind the depths.
-    Hidden,
-    /// Neither.
-    Visible,
 }
 
 impl<'m> Occluded<'m> {
@@ -75,28 +64,23 @@ impl<'m> Occluded<'m> {
         Ok(draw_batches(level, batches, meshlets, rows, *viewport, order, scratch, 0, state, &mut both)?)
     }
 
-    /// What is said of boxes, each between two corners, behind the last frame's depths.
+    /// What can be seen of boxes, each between two corners, behind the last frame's depths.
     ///
     /// # Errors
     ///
-    /// None for memory that was made here.
-    pub fn ask(&mut self, matrix: &Matrix, boxes: &[[[f32; 3]; 2]]) -> Result<Vec<Answer>, TargetError> {
-        let (state, rows) = (self.state, rows_of(matrix));
-        let depths = self.depths.as_mut_slice();
+    /// None for memory that was made here, and as many answers as boxes.
+    pub fn ask(
+        &mut self,
+        level: Level,
+        matrix: &Matrix,
+        boxes: &[[[f32; 3]; 2]],
+        answers: &mut [Visibility],
+    ) -> Result<(), TargetError> {
+        let (region, depths) = (self.state.scissor, self.depths.as_mut_slice());
         let mut depth =
-            HierarchicalDepth::<Standard>::new(state.scissor, depths, &mut self.ranges, DepthTest::LESS)?;
-        let frustum = Frustum::of_area(&rows, &self.viewport, state.scissor);
-        let answer = |&corners: &[[f32; 3]; 2]| {
-            if frustum.excludes_box(corners) {
-                return Answer::Outside;
-            }
-            match self.viewport.bound_box(&rows, corners, state.sample) {
-                Bound::Nothing => Answer::Outside,
-                Bound::Within { area, depths: [nearest, _] } if depth.hides(area, nearest) => Answer::Hidden,
-                Bound::Within { .. } | Bound::Anything => Answer::Visible,
-            }
-        };
-        Ok(boxes.iter().map(answer).collect())
+            HierarchicalDepth::<Standard>::new(region, depths, &mut self.ranges, DepthTest::LESS)?;
+        let rows = rows_of(matrix);
+        Ok(simd::ask(level, boxes, &rows, &self.viewport, &self.state, &mut depth, answers)?)
     }
 
     /// The depths in rows from the top.

@@ -15,8 +15,8 @@ use halfplane::{
     depth_ranges, draw,
     numbers::{DEPTH32_MAX, DEPTH32_MIN},
     simd::{
-        Batch, BatchOrder, Level, Meshlet, MeshletError, MeshletScratch, Occlusion, cluster, draw_batches,
-        make_batches, make_meshlets, max_batches, max_meshlets,
+        Batch, BatchOrder, Level, Meshlet, MeshletError, MeshletScratch, Occlusion, Visibility, ask, cluster,
+        draw_batches, make_batches, make_meshlets, max_batches, max_meshlets,
     },
 };
 
@@ -290,6 +290,60 @@ pub fn boxes_bound_what_they_hold(case: &Case) -> Result<bool, Failure> {
         }
     }
     Ok(true)
+}
+
+/// After a frame, whatever is said of boxes round some triangles is the same at every level, and drawing what is said to
+/// be out of sight changes no pixel. How often each answer was given: outside, hidden, visible.
+pub fn answers_are_certain(case: &Case) -> Result<[u32; 3], Failure> {
+    let (state, region) = (case.state()?, case.frame.core_region()?);
+    let triangles = case.indices.as_chunks::<3>().0;
+    let half = triangles.len() / 2;
+    let boxes: Vec<[[f32; 3]; 2]> = triangles
+        .iter()
+        .map(|corners| {
+            let corners = corners.map(|corner| case.model.vertices[corner as usize]);
+            let axis = |pick: fn(f32, f32) -> f32| {
+                [0, 1, 2].map(|k| corners.map(|c| c[k]).into_iter().fold(corners[0][k], pick))
+            };
+            [axis(f32::min), axis(f32::max)]
+        })
+        .collect();
+    let test = match case.test.compare {
+        Compare::Always => DepthTest::LESS,
+        _ => case.test,
+    };
+    let mut storage = Storage::new(region, case.contents);
+    let mut ranges = vec![DepthRange::UNKNOWN; depth_ranges(region.width(), region.height())];
+    let mut depth = HierarchicalDepth::<Standard>::new(region, &mut storage.depths, &mut ranges, test)?;
+    draw(&case.positions()?, triangles[..half].as_flattened(), 0, &state, &mut depth)?;
+    let mut said = None;
+    for level in levels() {
+        let mut answers = vec![Visibility::default(); boxes.len()];
+        ask(level, &boxes, &case.model.matrix, &viewport(case)?, &state, &mut depth, &mut answers)?;
+        ensure_eq!(*said.get_or_insert_with(|| answers.clone()), answers, "{}", level.name());
+    }
+    let said = said.ok_or_else(|| Failure::new("no level"))?;
+    let mut few = vec![Visibility::default(); boxes.len().saturating_sub(1)];
+    if !boxes.is_empty() {
+        let error =
+            ask(Level::FALLBACK, &boxes, &case.model.matrix, &viewport(case)?, &state, &mut depth, &mut few);
+        let expected = DrawError::ScratchTooSmall { needed: boxes.len(), given: boxes.len() - 1 };
+        ensure_eq!(error, Err(expected), "too few answers");
+    }
+    let mut before = vec![0; (region.width() * region.height()) as usize];
+    depth.depth().to_linear(&mut before)?;
+    let gone: Vec<u32> = triangles
+        .iter()
+        .zip(&said)
+        .filter(|(_, said)| **said != Visibility::Visible)
+        .flat_map(|(corners, _)| *corners)
+        .collect();
+    draw(&case.positions()?, &gone, 0, &state, &mut depth)?;
+    let mut after = before.clone();
+    depth.depth().to_linear(&mut after)?;
+    ensure!(after == before, "what was out of sight is seen");
+    let count = |what| said.iter().filter(|&&said| said == what).count() as u32;
+    Ok([Visibility::Outside, Visibility::Hidden, Visibility::Visible].map(count))
 }
 
 /// A box of one point is bound to the pixels next to it, and to depths next to its own: bounds are not loose.
