@@ -5,6 +5,7 @@ use halfplane::{
 };
 use halfplane_tests::{
     Frame,
+    frame::into_guard_band,
     properties::{
         conservative::{self, UNCERTAINTIES},
         enumeration::{Lattice, every_footprint_from},
@@ -36,9 +37,14 @@ fn equals_reference<F: Format>() {
 }
 
 fn equals_definition<F: Format>() {
+    check(sizes::DEFINITION, small_shot::<F>(), |Shot { frame, corners, .. }| {
+        conservative::equals_definition::<F>(&frame, &corners)
+    });
+}
+
+fn before_snapping<F: Format>() {
     let moved = any::<[[i8; 2]; 3]>();
     check(sizes::DEFINITION, (small_shot::<F>(), moved), |(Shot { frame, corners, .. }, moved)| {
-        conservative::equals_definition::<F>(&frame, &corners)?;
         conservative::holds_before_snapping::<F>(&frame, &corners, moved)
     });
 }
@@ -49,50 +55,51 @@ fn overlaps<F: Format>() {
     });
 }
 
-fn relations<F: Format>() {
+fn nested<F: Format>() {
+    check(sizes::OVERLAP, shot::<F>(), |Shot { frame, corners, .. }| {
+        conservative::is_nested::<F>(&frame, &corners)
+    });
+}
+
+fn both_sides<F: Format>() {
     check(sizes::OVERLAP, (shot::<F>(), any::<[i16; 2]>()), |(Shot { frame, corners, .. }, near)| {
-        conservative::is_nested::<F>(&frame, &corners)?;
         let other = [0, 1].map(|axis| {
             let about =
                 i64::from(corners[0][axis]) + i64::from(corners[1][axis]) - i64::from(corners[2][axis]);
-            halfplane_tests::frame::into_guard_band::<F>(about + i64::from(near[axis]))
+            into_guard_band::<F>(about + i64::from(near[axis]))
         });
-        conservative::an_edge_is_touched_from_both_sides::<F>(&frame, &corners, other)?;
-        conservative::rectangles::<F>(&frame, [corners[0], corners[1]])
+        conservative::an_edge_is_touched_from_both_sides::<F>(&frame, &corners, other)
+    });
+}
+
+fn rectangles<F: Format>() {
+    check(sizes::OVERLAP, shot::<F>(), |Shot { frame, corners: [p, q, _], .. }| {
+        conservative::rectangles::<F>(&frame, [p, q])
     });
 }
 
 macro_rules! for_each_format {
-    ($($format:ident $reference:ident $definition:ident $overlaps:ident $relations:ident;)+) => {
-        $(
+    ($($format:ident: $($property:ident $name:ident,)+;)+) => {
+        $($(
             #[test]
-            fn $reference() {
-                equals_reference::<$format>();
+            fn $name() {
+                $property::<$format>();
             }
-
-            #[test]
-            fn $definition() {
-                equals_definition::<$format>();
-            }
-
-            #[test]
-            fn $overlaps() {
-                overlaps::<$format>();
-            }
-
-            #[test]
-            fn $relations() {
-                relations::<$format>();
-            }
-        )+
+        )+)+
     };
 }
 
 for_each_format! {
-    Standard equals_reference_standard equals_definition_standard overlaps_standard relations_standard;
-    Small equals_reference_small equals_definition_small overlaps_small relations_small;
-    Middle equals_reference_middle equals_definition_middle overlaps_middle relations_middle;
-    Toy equals_reference_toy equals_definition_toy overlaps_toy relations_toy;
+    Standard: equals_reference equals_reference_standard, equals_definition equals_definition_standard,
+        before_snapping holds_before_snapping_standard, overlaps overlaps_standard, nested is_nested_standard,
+        both_sides edges_are_touched_from_both_sides_standard, rectangles rectangles_standard,;
+    Small: equals_reference equals_reference_small, equals_definition equals_definition_small,
+        before_snapping holds_before_snapping_small, overlaps overlaps_small, nested is_nested_small,
+        both_sides edges_are_touched_from_both_sides_small, rectangles rectangles_small,;
+    Middle: equals_reference equals_reference_middle, overlaps overlaps_middle, nested is_nested_middle,;
+    Toy: equals_reference equals_reference_toy, equals_definition equals_definition_toy,
+        before_snapping holds_before_snapping_toy, overlaps overlaps_toy, nested is_nested_toy,
+        both_sides edges_are_touched_from_both_sides_toy, rectangles rectangles_toy,;
 }
 
 /// Scissors of many tiles in one direction and a few pixels in the other.

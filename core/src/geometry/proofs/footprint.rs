@@ -1,16 +1,12 @@
 //! Closed triangles and rectangles: their pixels, and how they and a rectangle of pixels lie.
 
-use super::{
-    SMALL, STANDARD,
-    rule::{doubled_margin, uncertainty},
-    vertex,
-};
+use super::{SMALL, STANDARD, rule::uncertainty, vertex};
 use crate::{
     Coordinate, Format, Rectangle, Region, Small, Standard, Vertex,
     geometry::{
         Edge, Extent, Footprint, Overlap, doubled_area,
         footprint::accepts,
-        rule::{Inside, Touched},
+        rule::{Inside, Rule, Touched},
     },
     numbers::Bounds,
     proof::{assume, cover, prove},
@@ -111,36 +107,30 @@ fn edge_and_region<F: Format>(
     Some((Edge::new(vertex(ends[0], 0)?, vertex(ends[1], 0)?), Region::new(x0, y0, x1, y1).ok()?))
 }
 
-/// E at a corner between pixels.
+/// An edge accepts a rectangle as the rule accepts one of its pixels, whose point is the rectangle's corner that it would
+/// be of one large pixel: where E is largest for what is touched, smallest for what is inside.
 #[inline(always)]
-fn at_pixel<F: Format>(edge: Edge<F>, column: u32, row: u32) -> i64 {
+fn accepting<F: Format>(ends: [[i32; 2]; 2], given: [u32; 4], half: bool, largest: bool) {
+    let [x0, y0, x1, y1] = given;
+    let Some((edge, region)) = edge_and_region::<F>(ends, given) else { return };
+    let (right, down) = ((edge.a() > 0) == largest, (edge.b() > 0) == largest);
+    let (column, row) = (if right { x1 - 1 } else { x0 }, if down { y1 - 1 } else { y0 });
+    let (touched, inside) = (Touched(uncertainty(half)), Inside(uncertainty(half)));
+    let (x, y) = if largest { touched.point(edge, column, row) } else { inside.point(edge, column, row) };
     let side = Bounds::<F>::STEPS_PER_PIXEL;
-    edge.at((column as i32 * side, row as i32 * side)).into()
-}
-
-/// An edge touches a rectangle as if it were one large pixel: by its largest E at the corners.
-#[inline(always)]
-fn touching<F: Format>(ends: [[i32; 2]; 2], given: [u32; 4], half: bool) {
-    let [x0, y0, x1, y1] = given;
-    let Some((edge, region)) = edge_and_region::<F>(ends, given) else { return };
-    let (right, down) = (edge.a() > 0, edge.b() > 0);
-    let largest = at_pixel(edge, if right { x1 } else { x0 }, if down { y1 } else { y0 });
-    let doubled = 2 * largest + doubled_margin(edge, half);
-    let touched = accepts(edge, Touched(uncertainty(half)), region, true);
-    assert!(touched == (doubled > 0 || (doubled == 0 && !right && !down)));
-    cover!(doubled == 0 && !touched);
-}
-
-/// It has a rectangle inside as if it were one large pixel: by its smallest E.
-#[inline(always)]
-fn containing<F: Format>(ends: [[i32; 2]; 2], given: [u32; 4], half: bool) {
-    let [x0, y0, x1, y1] = given;
-    let Some((edge, region)) = edge_and_region::<F>(ends, given) else { return };
-    let (right, down) = (edge.a() > 0, edge.b() > 0);
-    let smallest = at_pixel(edge, if right { x0 } else { x1 }, if down { y0 } else { y1 });
-    let doubled = 2 * smallest - doubled_margin(edge, half);
-    assert!(accepts(edge, Inside(uncertainty(half)), region, false) == (doubled >= 0));
-    cover!(doubled == 0);
+    let corner = |is_far, first: u32, end: u32| if is_far { end as i32 * side } else { first as i32 * side };
+    // Where E does not depend on a column, or a row, any will do.
+    assert!(edge.a() == 0 || x == corner(right, x0, x1));
+    assert!(edge.b() == 0 || y == corner(down, y0, y1));
+    if largest {
+        let reduced: i64 = edge.reduced(touched, column, row).into();
+        assert!(accepts(edge, touched, region, true) == (reduced >= 0));
+        cover!(reduced >= 0);
+    } else {
+        let reduced: i64 = edge.reduced(inside, column, row).into();
+        assert!(accepts(edge, inside, region, false) == (reduced >= 0));
+        cover!(reduced >= 0);
+    }
 }
 
 /// What is decided by the bounds alone: outside where they have no pixel of the region, within where the region has
@@ -252,7 +242,7 @@ prove! {
         given: [u32; 4] = [0; 4]..=[Standard::MAX_TARGET; 4],
         half: bool,
     ) {
-        touching::<Standard>(ends, given, half);
+        accepting::<Standard>(ends, given, half, true);
     }
 
     /// The same for the small format.
@@ -262,7 +252,7 @@ prove! {
         given: [u32; 4] = [0; 4]..=[Small::MAX_TARGET; 4],
         half: bool,
     ) {
-        touching::<Small>(ends, given, half);
+        accepting::<Small>(ends, given, half, true);
     }
 
     /// It contains one by its smallest E.
@@ -272,7 +262,7 @@ prove! {
         given: [u32; 4] = [0; 4]..=[Standard::MAX_TARGET; 4],
         half: bool,
     ) {
-        containing::<Standard>(ends, given, half);
+        accepting::<Standard>(ends, given, half, false);
     }
 
     /// The same for the small format.
@@ -282,7 +272,7 @@ prove! {
         given: [u32; 4] = [0; 4]..=[Small::MAX_TARGET; 4],
         half: bool,
     ) {
-        containing::<Small>(ends, given, half);
+        accepting::<Small>(ends, given, half, false);
     }
 
     /// The answers that need no edge.

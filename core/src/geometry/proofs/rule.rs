@@ -23,7 +23,7 @@ pub(super) fn uncertainty(half: bool) -> Uncertainty {
 
 /// |A| + |B| half a step long, in half steps²: what a square of half a step adds to E, doubled.
 #[inline(always)]
-pub(super) fn doubled_margin<F: Format>(edge: Edge<F>, half: bool) -> i64 {
+fn doubled_margin<F: Format>(edge: Edge<F>, half: bool) -> i64 {
     let steepness = i64::from(edge.a()).abs() + i64::from(edge.b()).abs();
     if half { steepness } else { 0 }
 }
