@@ -76,8 +76,16 @@ pub fn draw_batches<A: RowAttachment + Occluder>(
     let (needed, given) = (batches.len(), order.len());
     let order = order.get_mut(..needed).ok_or(DrawError::ScratchTooSmall { needed, given })?;
     let mut statistics = Statistics { submitted, ..Statistics::default() };
+    let by_definition = |meshlet: &Meshlet, attachments: &mut A| {
+        let positions = MeshletPositions { meshlet, camera: &camera };
+        let first = first_id.saturating_add(meshlet.first());
+        // Nothing is wrong with it that was not found above.
+        let drawn = draw::draw(&positions, meshlet.corners().as_flattened(), first, state, attachments);
+        Statistics { submitted: 0, ..drawn.unwrap_or_default() }
+    };
     let Some(area) = area else {
-        statistics.culled.outside = submitted;
+        // Nothing can be seen; triangles are counted by what they are.
+        members().for_each(|meshlet| statistics += by_definition(meshlet, attachments));
         return Ok((statistics, Occlusion::default()));
     };
     let frustum = Frustum::of_area(&matrix, &viewport, area);
@@ -126,15 +134,7 @@ pub fn draw_batches<A: RowAttachment + Occluder>(
             &mut occlusion,
             &mut statistics,
             attachments,
-            |_, meshlet, attachments, statistics| {
-                let positions = MeshletPositions { meshlet, camera: &camera };
-                let first = first_id.saturating_add(meshlet.first());
-                let indices = meshlet.corners().as_flattened();
-                // Nothing is wrong with it that was not found above.
-                if let Ok(drawn) = draw::draw(&positions, indices, first, state, attachments) {
-                    *statistics += Statistics { submitted: 0, ..drawn };
-                }
-            },
+            |_, meshlet, attachments, statistics| *statistics += by_definition(meshlet, attachments),
         ),
     }
     Ok((statistics, occlusion))
