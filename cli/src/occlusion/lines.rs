@@ -67,7 +67,7 @@ mod tests {
     #[test]
     fn a_box_is_its_edges() {
         let mut pixels = vec![[0; 3]; 64];
-        draw_box(&mut pixels, (8, 8), &IDENTITY, &[[-0.5, -0.5, 0.1], [0.49, 0.49, 0.2]], [9; 3]);
+        draw_box(&mut pixels, (8, 8), &IDENTITY, &[[-0.5, -0.49, 0.1], [0.49, 0.5, 0.2]], [9; 3]);
         let drawn = |x: usize, y: usize| pixels[8 * y + x] == [9; 3];
         // A square of 4 pixels from (2, 2) to (5, 5); nothing inside, nothing outside.
         for (x, y) in (0..8).flat_map(|y| (0..8).map(move |x| (x, y))) {
