@@ -10,7 +10,7 @@ mod numbers;
 mod summary;
 
 use crate::error::ReportError;
-use crate::leaving_out::Program;
+use crate::leaving_out::Programs;
 use crate::run::SceneReport;
 use crate::stiffness::Ladder;
 use crate::stiffness::checks::Check;
@@ -32,7 +32,7 @@ pub struct Report {
     /// Orders, symmetries and accumulation.
     pub checks: Vec<Check>,
     /// Linked programs, or why there are none.
-    pub programs: Result<Vec<Program>, String>,
+    pub programs: Result<Programs, String>,
     /// Wrong pixels that a recommendation may have; without it, as few as there can be.
     pub max_error: Option<f64>,
     /// Scenes that were looked for and are not there, and why.
@@ -67,6 +67,7 @@ impl Report {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use crate::leaving_out::Program;
     use crate::row::tests::answer;
     use crate::savings::Saving;
     use crate::statistics::Errors;
@@ -106,6 +107,7 @@ pub(crate) mod tests {
             constants: 6,
             statics: 7,
             instructions: None,
+            executed: Err("not measured: x < y".to_owned()),
             helpers: vec!["__udivdi3".to_owned()],
         };
         Report {
@@ -114,7 +116,11 @@ pub(crate) mod tests {
             scenes: vec![scene],
             ladders: vec![ladder()],
             checks: vec![check],
-            programs: Ok(vec![program]),
+            programs: Ok(Programs {
+                compiler: "rustc".to_owned(),
+                linked: vec![program],
+                skipped: Some("elsewhere: skipped, because a & b".to_owned()),
+            }),
             max_error: None,
             absent: vec!["castle: there is no \"castle.bin\"".to_owned()],
         }
