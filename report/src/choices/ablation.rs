@@ -42,7 +42,8 @@ impl Format for Small64 {
 const INSIDE: [(&str, &str); 3] = [
     (
         "no way past small triangles (tiles for all)",
-        "the choice is a constant of `traversal::walk`: bounds of at most 32x32 px go block by block",
+        "the choice is a constant of `traversal::walk`, so leaving it out takes another build; its instructions are those \
+         of the program depth_tiles beside depth",
     ),
     (
         "no hierarchy of tiles (blocks for all)",

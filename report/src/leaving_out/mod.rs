@@ -32,6 +32,14 @@ const PROGRAMS: [(&str, &str, Corners); 11] = [
     ("simd", "the same with every level, and meshlets", Corners::Float),
 ];
 
+/// A program of a rasterizer with a shortcut left out: the `cfg` that does it, the program, its name here, what it has, and
+/// its vertices.
+const WITHOUT: (&str, &str, (&str, &str, Corners)) = (
+    "halfplane_without_small",
+    "depth",
+    ("depth_tiles", "depth D32, tiles for small triangles too", Corners::Window { steps: 256 }),
+);
+
 /// The target that programs are linked for beside this machine, unless `BARE_TARGET` names another.
 const SMALL_TARGET: &str = "thumbv6m-none-eabi";
 
@@ -86,6 +94,8 @@ pub fn programs() -> Result<Programs, String> {
     let folder = env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
     let folder = folder.join("bare-metal");
     let mut linked = of_target(&sources, &folder, host, "simd")?;
+    let place = linked.iter().position(|program| program.name == WITHOUT.1).map_or(0, |place| place + 1);
+    linked.insert(place, without(&sources, &folder.join("without"), host)?);
     let small = env::var("BARE_TARGET").unwrap_or_else(|_| SMALL_TARGET.to_owned());
     let of_small = installed(&small).and_then(|()| of_target(&sources, &folder, &small, "transform"));
     let skipped = match of_small {
@@ -121,28 +131,51 @@ fn installed(target: &str) -> Result<(), String> {
 }
 
 fn of_target(sources: &Path, folder: &Path, target: &str, features: &str) -> Result<Vec<Program>, String> {
+    build(sources, folder, target, &["--features", features])?;
+    // Those in vector registers are not linked for small targets.
+    let is_linked =
+        |&(name, ..): &(&str, &str, Corners)| folder.join(target).join("release").join(name).exists();
+    let of = |program: (&'static str, _, _)| {
+        read(&folder.join(target).join("release").join(program.0), target, program)
+    };
+    PROGRAMS.into_par_iter().filter(is_linked).map(of).collect()
+}
+
+/// [`WITHOUT`], in a folder of its own, as flags make other files of the same names.
+fn without(sources: &Path, folder: &Path, target: &str) -> Result<Program, String> {
+    let (cfg, name, program) = WITHOUT;
+    let flags = format!("target.{target}.rustflags=[\"--cfg\", \"{cfg}\"]");
+    build(sources, folder, target, &["--bin", name, "--config", &flags])?;
+    read(&folder.join(target).join("release").join(name), target, program)
+}
+
+fn build(sources: &Path, folder: &Path, target: &str, more: &[&str]) -> Result<(), String> {
     let built = Command::new("cargo")
-        .args(["build", "--release", "--quiet", "--features", features, "--target", target])
+        .args(["build", "--release", "--quiet", "--target", target])
+        .args(more)
         .current_dir(sources)
         .env("CARGO_TARGET_DIR", folder)
         .output()
         .map_err(|error| format!("cargo: {error}"))?;
-    if !built.status.success() {
-        let why = String::from_utf8_lossy(&built.stderr);
-        let why = why.lines().find(|line| line.starts_with("error")).unwrap_or("cargo fails").to_owned();
-        return Err(format!("the programs do not link for {target}: {why}"));
+    if built.status.success() {
+        return Ok(());
     }
-    let read = |(name, what, corners)| {
-        let path = folder.join(target).join("release").join(name);
-        // Those in vector registers are not linked for small targets.
-        let bytes = fs::read(&path).ok()?;
-        Some(look(name, what, target, &bytes).map(|program| Program {
-            instructions: disassembly::disassembled(&path, target),
-            executed: executed::measure(&path, &bytes, target, corners),
-            ..program
-        }))
-    };
-    PROGRAMS.into_par_iter().filter_map(read).collect()
+    let why = String::from_utf8_lossy(&built.stderr);
+    let why = why.lines().find(|line| line.starts_with("error")).unwrap_or("cargo fails");
+    Err(format!("the programs do not link for {target}: {why}"))
+}
+
+fn read(
+    path: &Path,
+    target: &str,
+    (name, what, corners): (&'static str, &'static str, Corners),
+) -> Result<Program, String> {
+    let bytes = fs::read(path).map_err(|error| format!("{name}: {error}"))?;
+    Ok(Program {
+        instructions: disassembly::disassembled(path, target),
+        executed: executed::measure(path, &bytes, target, corners),
+        ..look(name, what, target, &bytes)?
+    })
 }
 
 fn look(name: &'static str, what: &'static str, target: &str, bytes: &[u8]) -> Result<Program, String> {
