@@ -44,8 +44,9 @@ pub(super) fn programs(programs: &Result<Programs, String>) -> String {
          less 16 over 16, each set up and walked, covering one sample and hidden after the first; vertices are \
          transformed for each corner in <code>clip</code> and once for all in vector \
          registers. Instructions per pixel: a triangle over 128 columns of the target less one over 64, over 1024 \
-         pixels; they pass. Deepest stack: from the program's entry to the lowest byte used in these runs, and \
-         where there is clip space in one with a clipped triangle; the worst of these runs, not of all inputs.</p>\n",
+         pixels; they pass. Deepest stack: from the program's entry to the lowest byte used (on Cortex-M the \
+         lowest stack pointer) in these runs, and where there is clip space in one with a clipped triangle; the worst \
+         of these runs, not of all inputs.</p>\n",
     );
     let Programs { compiler, linked, skipped } = match programs {
         Ok(programs) => programs,
