@@ -85,11 +85,12 @@ fn draws() -> Option<u64> {
     Some(u64::from(total.drawn))
 }
 
-fn main() {
+fn main(_: &mut ()) -> Option<u32> {
     output(numbers());
     output(by_hand().unwrap_or(1));
     output(storage().unwrap_or(2));
     output(draws().unwrap_or(3));
+    None
 }
 
-program!(main);
+program!(main, () = ());
