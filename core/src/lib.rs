@@ -40,6 +40,9 @@
 //! can stop at any level: set up one [`Triangle`] by hand, [`traverse`] its blocks with a closure,
 //! or hand a whole mesh to [`draw()`].
 //!
+//! [`traverse_conservative`] visits what a [`Footprint`], a closed triangle, touches and what lies wholly in it;
+//! [`Footprint::overlap`] compares it with a tile.
+//!
 //! With the feature `simd`, `simd::draw` stands above them all and draws the same bits from vector
 //! registers; `simd::draw_meshlets` draws them from a mesh divided once; `simd::draw_any` takes whatever `draw`
 //! takes.
@@ -78,10 +81,10 @@ pub use attachments::{
 };
 pub use draw::{CulledCounts, DrawError, Index, RejectedCounts, State, Statistics, draw};
 pub use geometry::{
-    Assembly, Cull, Culled, OutsideGuardBand, Positions, Region, RegionError, Sample, Triangle, Vertex,
-    Winding,
+    Assembly, Cull, Culled, Footprint, OutsideGuardBand, Overlap, Positions, Rectangle, Region, RegionError,
+    Sample, Triangle, Uncertainty, Vertex, Winding,
 };
 pub use numbers::{Bounds, Coordinate, Format, Small, Standard, unorm16, unorm32};
 #[cfg(feature = "transform")]
 pub use transform::{ClipPositions, ModelPositions, Viewport};
-pub use traversal::{Mask, traverse};
+pub use traversal::{Mask, traverse, traverse_conservative};

@@ -20,13 +20,13 @@ pub fn covered_area(corners: &[Point; 3], pixel: (i64, i64)) -> Rational {
     area(&polygon)
 }
 
-fn integer(value: i64) -> Rational {
+pub(crate) fn integer(value: i64) -> Rational {
     Rational::from_integer(BigInt::from(value))
 }
 
 /// One step of Sutherland and Hodgman's clipping (1974): keeps where `inside`, a linear function, is
 /// at least 0.
-fn cut(polygon: Vec<Point>, inside: impl Fn(&Point) -> Rational) -> Vec<Point> {
+pub(crate) fn cut(polygon: Vec<Point>, inside: impl Fn(&Point) -> Rational) -> Vec<Point> {
     let mut kept = Vec::with_capacity(polygon.len() + 1);
     for (i, a) in polygon.iter().enumerate() {
         let b = &polygon[(i + 1) % polygon.len()];

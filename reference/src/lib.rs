@@ -9,10 +9,10 @@
 //!
 //! | level | what | arithmetic |
 //! |---|---|---|
-//! | [`covers`], [`weights_at`], [`depth_at`], [`covered_area`] | the definitions | rationals |
+//! | [`covers`], [`weights_at`], [`depth_at`], [`covered_area`], [`HalfOpen`] | the definitions | rationals |
 //! | [`to_clip`], [`clip`], [`to_window`], [`snap`], [`unorm`] | the exact transform | rationals |
 //! | [`specified_depth`] | the definition of a stored depth | unbounded integers |
-//! | [`cover_rows`], [`ExactPlane`], [`Fraction`], [`SpecifiedPlane`] | the same answers, fast | `i128`, ranges stated and checked |
+//! | [`cover_rows`], [`touch_rows`], [`inside_rows`], [`ExactPlane`], [`Fraction`], [`SpecifiedPlane`] | the same answers, fast | `i128`, ranges stated and checked |
 //! | [`render`], [`verify`], [`cover_count_picture`] | whole scenes by brute force | the fast level |
 //! | [`unsnapped()`] | a model without any rounding, whole pictures | `f64` with bounds, unbounded integers where they do not decide |
 //!
@@ -41,6 +41,7 @@
 #![forbid(unsafe_code)]
 
 mod area;
+mod conservative;
 mod definition;
 mod exact;
 mod fraction;
@@ -51,11 +52,13 @@ mod report;
 mod scene;
 mod spans;
 mod specified;
+mod strips;
 mod transform;
 mod unsnapped;
 mod verify;
 
 pub use area::covered_area;
+pub use conservative::HalfOpen;
 pub use definition::{Point, covers, depth_at, weights_at};
 pub use exact::ExactPlane;
 pub use fraction::Fraction;
@@ -66,6 +69,7 @@ pub use report::{Difference, Mismatches, Outcome, Report};
 pub use scene::{Compare, MAX_SIDE, NO_ID, Scene, SceneError, SceneTriangle};
 pub use spans::{cover_count_picture, cover_counts, cover_rows};
 pub use specified::{DepthSpec, DepthSpecError, SpecifiedPlane, specified_depth, z16_from_z32};
+pub use strips::{inside_rows, touch_rows};
 pub use transform::{ClipError, Planes, Viewport, WindowPoint, clip, snap, to_clip, to_window, unorm};
 pub use unsnapped::{Model, ModelError, Unsnapped, unsnapped};
 pub use verify::{VerifyError, verify};

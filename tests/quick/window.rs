@@ -8,8 +8,8 @@ use halfplane_tests::{
     Frame,
     failure::Verdict,
     properties::{
-        coverage, depth, depth_test::COMPARISONS, draws, enumeration, errors, lanes, numbers, scene, setup,
-        statistics, storage, watertight,
+        conservative, coverage, depth, depth_test::COMPARISONS, draws, enumeration, errors, lanes, numbers,
+        scene, setup, statistics, storage, watertight,
     },
     shapes::{Kind, Random, depths, triangle, triangulation},
     strategies::Shot,
@@ -37,6 +37,12 @@ fn properties_hold() -> Verdict {
     for kind in Kind::ALL {
         coverage::equals_reference_in_a_long_scissor::<Standard>(&mut random, false, kind)?;
         coverage::equals_reference_in_a_long_scissor::<Standard>(&mut random, true, kind)?;
+    }
+    of_footprints::<Standard>(&mut random)?;
+    of_footprints::<Small>(&mut random)?;
+    for kind in Kind::ALL {
+        conservative::equals_reference_in_a_long_scissor::<Standard>(&mut random, false, kind)?;
+        conservative::equals_reference_in_a_long_scissor::<Standard>(&mut random, true, kind)?;
     }
     of_depth::<Small, D16>(&mut random, DepthSpec::SMALL)?;
     of_depth::<Standard, D32>(&mut random, DepthSpec::D32)?;
@@ -180,7 +186,31 @@ where
 }
 
 /// Triangles with corners on samples and between them, at all of a toy's sample positions.
+fn of_footprints<F: Format>(random: &mut Random) -> Verdict {
+    for kind in Kind::ALL.into_iter().chain(Kind::ALL) {
+        for side in [9, 40, 99] {
+            let frame = small_frame::<F>(random, side);
+            let corners = triangle::<F>(kind, &frame, random.words());
+            conservative::equals_reference::<F>(&frame, &corners)?;
+            conservative::overlaps::<F>(&frame, &corners)?;
+            conservative::is_nested::<F>(&frame, &corners)?;
+            conservative::rectangles::<F>(&frame, [corners[0], corners[1]])?;
+            if side == 9 {
+                conservative::equals_definition::<F>(&frame, &corners)?;
+            }
+        }
+    }
+    Ok(())
+}
+
 fn of_lattices() -> Verdict {
+    let frame = Frame { scissor: [1, 2, 63, 61], ..Frame::whole::<Toy>(64, 64) };
+    for (origin, spacing) in [([14, 14], 1), ([-4, 4], 4), ([-3, 3], 25)] {
+        let lattice = enumeration::Lattice { origin, side: 4, spacing };
+        for first in 0..lattice.points() {
+            enumeration::every_footprint_from::<Toy>(&frame, lattice, first)?;
+        }
+    }
     for sample in [[0, 0], [2, 2], [3, 1], [1, 3]] {
         let frame = Frame { sample, scissor: [1, 2, 63, 61], ..Frame::whole::<Toy>(64, 64) };
         for (origin, spacing) in [([14, 14], 1), ([-3, 3], 25), ([-5, -7], 67)] {

@@ -1,6 +1,6 @@
 //! Where a case is drawn: the attachment's region, the scissor in it, the sample position.
 
-use crate::Failure;
+use crate::{Failure, shapes::Random};
 use halfplane::{Bounds, Format, Region, Sample, State, Vertex};
 use halfplane_reference::{Grid, Rect};
 
@@ -52,6 +52,19 @@ impl Frame {
     pub fn whole<F: Format>(width: u32, height: u32) -> Self {
         let region = [0, 0, width, height];
         Self { region, scissor: region, sample: [1 << (F::SUBPIXEL_BITS - 1); 2] }
+    }
+
+    /// A target of 2048 x 5 pixels, or 5 x 2048, with a scissor that is moved by a few.
+    pub fn long<F: Format>(random: &mut Random, tall: bool) -> Self {
+        let long = 2048.min(F::MAX_TARGET);
+        let mut region = [0, 0, long, 5];
+        let mut scissor =
+            [random.below(40) as u32, random.below(3) as u32, long - random.below(40) as u32, 5];
+        if tall {
+            region.swap(2, 3);
+            scissor = [scissor[1], scissor[0], scissor[3], scissor[2]];
+        }
+        Frame { region, scissor, ..Self::whole::<F>(1, 1) }
     }
 
     /// Columns.

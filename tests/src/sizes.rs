@@ -26,6 +26,10 @@ table! {
     SETUP = 3_000;
     /// Coverage against the definition in rationals.
     DEFINITION = 300;
+    /// Conservative coverage of one triangle, for each format.
+    CONSERVATIVE = 3_000;
+    /// Triangles and regions, relations of conservative coverage, for each format.
+    OVERLAP = 1_000;
     /// Triangulations, fans and grids drawn whole.
     MESH = 250;
     /// Fans of a thousand triangles.

@@ -3,6 +3,7 @@
 mod attachments;
 mod bounds;
 mod clipping;
+mod conservative;
 #[cfg(feature = "simd")]
 mod corpus;
 mod coverage;

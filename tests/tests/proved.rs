@@ -18,7 +18,7 @@ fn function(layer: &str, name: &str) -> Function {
 fn arithmetic_functions_are_named_by_proofs() {
     let sources = core();
     let (functions, properties) = (arithmetic(&sources).unwrap(), properties(&sources).unwrap());
-    assert!(functions.contains(&function("geometry", "Edge::value")), "the reader has lost its way");
+    assert!(functions.contains(&function("geometry", "Edge::at")), "the reader has lost its way");
     assert!(properties.len() > 50, "{} properties: the reader has lost its way", properties.len());
     let listed: Vec<Function> = include_str!("../unproved.txt")
         .lines()

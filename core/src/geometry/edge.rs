@@ -1,6 +1,6 @@
 //! Edge functions in exact integers, with the top-left rule as a bias.
 
-use super::{sample::Sample, vertex::Vertex};
+use super::{rule::Rule, sample::Sample, vertex::Vertex};
 use crate::numbers::{Format, WideArithmetic};
 
 /// The edge from one vertex to another of a triangle with positive doubled area: the edge function
@@ -47,19 +47,25 @@ impl<F: Format> Edge<F> {
         (self.a > 0) | ((self.a == 0) & (self.b > 0))
     }
 
-    /// E at the sample of a pixel within the largest target, in steps².
+    /// E at a point of the guard band, in steps².
     #[inline]
-    pub(crate) fn value(self, sample: Sample<F>, column: u32, row: u32) -> F::Wide {
-        let (x, y) = sample.of_pixel(column, row);
+    pub(crate) fn at(self, (x, y): (i32, i32)) -> F::Wide {
         F::Wide::product(self.a, x - self.start.x()) + F::Wide::product(self.b, y - self.start.y())
     }
 
-    /// The reduced edge value e = floor((E - bias) / 2^S): not negative exactly where the sample is
-    /// inside. One pixel to the right adds A, one pixel down adds B, without loss:
+    /// E at the sample of a pixel within the largest target, in steps².
+    #[inline]
+    pub(crate) fn value(self, sample: Sample<F>, column: u32, row: u32) -> F::Wide {
+        self.at(sample.of_pixel(column, row))
+    }
+
+    /// The reduced edge value e = floor((E - bias) / 2^S), E at the rule's point of a pixel within the
+    /// largest target: not negative exactly where the pixel is inside by that rule; a sample's is the
+    /// top-left rule. One pixel to the right adds A, one pixel down adds B, without loss:
     /// a pixel changes E by a multiple of 2^S, and floor((E + 2^S k) / 2^S) = floor(E / 2^S) + k.
     #[inline]
-    pub(crate) fn reduced(self, sample: Sample<F>, column: u32, row: u32) -> F::Wide {
-        let bias = F::Wide::from(i32::from(!self.is_top_left()));
-        (self.value(sample, column, row) - bias) >> F::SUBPIXEL_BITS
+    pub(crate) fn reduced(self, rule: impl Rule<F>, column: u32, row: u32) -> F::Wide {
+        let bias = F::Wide::from(rule.bias(self));
+        (self.at(rule.point(self, column, row)) - bias) >> F::SUBPIXEL_BITS
     }
 }

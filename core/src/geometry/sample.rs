@@ -1,5 +1,6 @@
 //! Where in a pixel coverage and depth are evaluated.
 
+use super::{edge::Edge, rule::Rule};
 use crate::numbers::{Bounds, Format};
 use core::marker::PhantomData;
 
@@ -56,5 +57,18 @@ impl<F: Format> Sample<F> {
 impl<F: Format> Default for Sample<F> {
     fn default() -> Self {
         Self::CENTER
+    }
+}
+
+/// The top-left rule at the sample.
+impl<F: Format> Rule<F> for Sample<F> {
+    #[inline]
+    fn point(self, _: Edge<F>, column: u32, row: u32) -> (i32, i32) {
+        self.of_pixel(column, row)
+    }
+
+    #[inline]
+    fn bias(self, edge: Edge<F>) -> i32 {
+        i32::from(!edge.is_top_left())
     }
 }

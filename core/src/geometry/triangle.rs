@@ -5,6 +5,7 @@ use super::{
     extent::Extent,
     facing::{Culled, Winding},
     region::Region,
+    rule::HalfPlanes,
     sample::Sample,
     vertex::Vertex,
 };
@@ -125,6 +126,12 @@ impl<F: Format> Triangle<F> {
     #[must_use]
     pub const fn sample(&self) -> Sample<F> {
         self.sample
+    }
+
+    /// The edges with the rule of the sample.
+    #[inline]
+    pub(crate) const fn half_planes(&self) -> HalfPlanes<F, Sample<F>> {
+        HalfPlanes { edges: self.edges, rule: self.sample }
     }
 
     /// The exact barycentric weights of the sample of pixel (`column`, `row`), in submitted order, as

@@ -14,6 +14,7 @@ use core::marker::PhantomData;
 /// | vertex x, y | `GUARD_BAND` | 2^23 | 2^14 |
 /// | edge deltas A, B | `MAX_DELTA` | 2^24 | 2^15 |
 /// | edge value E, doubled area D | `MAX_AREA` | 2^48 | 2^30 |
+/// | what is taken off an edge value | `MAX_BIAS` | 2^24 | 2^15 |
 /// | edge value at a pixel of a tile that the edge crosses | `MAX_TILE_VALUE` | < 2^31 | < 2^31 |
 /// | steps of an edge value within a block | `MAX_BLOCK_STEPS` | < 2^27 | < 2^18 |
 /// | numerator of a depth gradient | `MAX_NUMERATOR` | 2^57 | 2^32 |
@@ -21,7 +22,8 @@ use core::marker::PhantomData;
 /// An edge value E(p) = A (px - xa) + B (py - ya) is twice the signed area of the triangle (a, b, p).
 /// All three points lie in the guard band, a square of side `MAX_DELTA`, and a triangle in a square
 /// covers at most half of it; hence the bound on E, and on D. Each of the two products is at most
-/// `MAX_DELTA`², and their sum is exact, so no intermediate value is larger.
+/// `MAX_DELTA`², and their sum is exact, so no intermediate value is larger. A pixel's corners, where
+/// conservative coverage evaluates E, are no farther out than `MAX_TARGET` pixels and so in the guard band too.
 #[derive(Clone, Copy, Debug)]
 pub struct Bounds<F>(PhantomData<F>);
 
@@ -34,6 +36,8 @@ impl<F: Format> Bounds<F> {
     pub const MAX_DELTA: i32 = 2 * Self::GUARD_BAND;
     /// Largest magnitude of an edge value and of a doubled area, in steps².
     pub const MAX_AREA: i128 = (Self::MAX_DELTA as i128) * (Self::MAX_DELTA as i128);
+    /// Largest magnitude of what a rule takes off an edge value, in steps²: half of |A| + |B|, rounded up.
+    pub const MAX_BIAS: i128 = Self::MAX_DELTA as i128;
     /// Largest magnitude of a reduced edge value at a pixel of a 64x64 tile that the edge crosses:
     /// the value changes its sign within the tile, and 63 steps each way are all there is.
     pub const MAX_TILE_VALUE: i128 = 63 * 2 * (Self::MAX_DELTA as i128);
@@ -58,7 +62,10 @@ impl<F: Format> Bounds<F> {
         assert!(F::GUARD_BAND_BITS > F::SUBPIXEL_BITS + 5, "the clip margin is a whole pixel");
         assert!(F::MAX_TARGET.is_multiple_of(64) && F::MAX_TARGET > 0, "targets of whole tiles");
         assert!(F::MAX_TARGET as i64 <= Self::CLIP_PIXELS as i64, "the target lies inside the clip square");
-        assert!(Self::MAX_AREA < <F::Wide as Wide>::MAX, "edge values, areas and their bias fit Wide");
+        assert!(
+            Self::MAX_AREA + Self::MAX_BIAS <= <F::Wide as Wide>::MAX,
+            "edge values, areas and biases fit Wide"
+        );
         assert!(Self::MAX_TILE_VALUE <= i32::MAX as i128, "values inside a tile fit 32-bit lanes");
         assert!(Self::MAX_BLOCK_STEPS < 1 << 30, "a dropped edge of value 2^30 is positive in a block");
         assert!(Self::MAX_AREA <= F::Word::MAX_DIVISOR, "the gradient's division fits Word");

@@ -1,7 +1,7 @@
 //! One edge over a rectangle of pixels, in 32 bits.
 
 use crate::{
-    geometry::{Edge, Region, Triangle},
+    geometry::{Edge, HalfPlanes, Region, Rule},
     lanes::Lanes,
     numbers::{Format, WideArithmetic},
 };
@@ -20,24 +20,28 @@ impl Step {
     /// ([`Bounds::MAX_BLOCK_STEPS`](crate::Bounds::MAX_BLOCK_STEPS)).
     pub(super) const DROPPED: Self = Self { value: 1 << 30, a: 0, b: 0 };
 
-    /// The triangle's edges over a rectangle of at most 64 x 64 pixels: `None` where one rejects it.
+    /// The edge so many columns and rows on, at a pixel of the rectangle.
     #[inline(always)]
-    pub(super) fn all<F: Format>(triangle: &Triangle<F>, rectangle: Region<F>) -> Option<[Self; 3]> {
-        let [e0, e1, e2] = triangle.edges();
+    pub(super) const fn after(self, [columns, rows]: [u32; 2]) -> Self {
+        Self { value: self.value + columns as i32 * self.a + rows as i32 * self.b, ..self }
+    }
+
+    /// The edges over a rectangle of at most 64 x 64 pixels: `None` where one rejects it.
+    #[inline(always)]
+    pub(super) fn all<F: Format, R: Rule<F>>(
+        HalfPlanes { edges: [e0, e1, e2], rule }: HalfPlanes<F, R>,
+        rectangle: Region<F>,
+    ) -> Option<[Self; 3]> {
         Some([
-            Self::over(e0, triangle, rectangle)?,
-            Self::over(e1, triangle, rectangle)?,
-            Self::over(e2, triangle, rectangle)?,
+            Self::over(e0, rule, rectangle)?,
+            Self::over(e1, rule, rectangle)?,
+            Self::over(e2, rule, rectangle)?,
         ])
     }
 
     #[inline(always)]
-    pub(super) fn over<F: Format>(
-        edge: Edge<F>,
-        triangle: &Triangle<F>,
-        rectangle: Region<F>,
-    ) -> Option<Self> {
-        let value = edge.reduced(triangle.sample(), rectangle.x0(), rectangle.y0());
+    pub(super) fn over<F: Format>(edge: Edge<F>, rule: impl Rule<F>, rectangle: Region<F>) -> Option<Self> {
+        let value = edge.reduced(rule, rectangle.x0(), rectangle.y0());
         let (a, b) = (edge.a(), edge.b());
         let (lowest, highest) = corner_steps(a, b, rectangle.width() as i32, rectangle.height() as i32);
         let zero = F::Wide::default();
@@ -70,10 +74,9 @@ pub(super) struct InBlock<L> {
 }
 
 impl<L: Lanes> InBlock<L> {
-    /// The triangle's edges.
+    /// Three edges.
     #[inline(always)]
-    pub(super) fn all<F: Format>(token: L::Token, triangle: &Triangle<F>) -> [Self; 3] {
-        let [e0, e1, e2] = triangle.edges();
+    pub(super) fn all<F: Format>(token: L::Token, [e0, e1, e2]: [Edge<F>; 3]) -> [Self; 3] {
         [Self::of(token, e0), Self::of(token, e1), Self::of(token, e2)]
     }
 

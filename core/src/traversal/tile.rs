@@ -5,7 +5,7 @@ use super::{
     step::{Step, corner_steps},
 };
 use crate::{
-    geometry::{Region, Triangle},
+    geometry::{HalfPlanes, Region, Rule},
     lanes::Lanes,
     numbers::Format,
 };
@@ -20,15 +20,15 @@ pub(super) const SQUARE: u32 = TILE / 4;
 /// the edges over each. A square is given as its whole blocks that are in `blocks`, itself whole blocks; it
 /// is visited if there are any.
 #[inline(always)]
-pub(super) fn squares<L: Lanes, F: Format>(
+pub(super) fn squares<L: Lanes, F: Format, R: Rule<F>>(
     token: L::Token,
-    triangle: &Triangle<F>,
+    half_planes: HalfPlanes<F, R>,
     blocks: Region<F>,
     [x, y]: [u32; 2],
     mut visit: impl FnMut(Region<F>, [Step; 3]),
 ) {
     let Ok(tile) = Region::new(x, y, x.saturating_add(TILE), y.saturating_add(TILE)) else { return };
-    let Some(steps) = Step::all(triangle, tile) else { return };
+    let Some(steps) = Step::all(half_planes, tile) else { return };
     // Per edge: the squares that it rejects, those it accepts, and its values there.
     let mut rejected = 0;
     let mut accepted = [0; 3];

@@ -8,7 +8,7 @@ use super::{
     tile::{TILE, squares},
 };
 use crate::{
-    geometry::{Region, Triangle},
+    geometry::{HalfPlanes, Region, Rule, Triangle},
     lanes::{ArrayLanes, Lanes},
     numbers::Format,
 };
@@ -56,27 +56,45 @@ pub(crate) fn walk<L: Lanes, F: Format>(
     let blocks = bounds.blocks();
     // No sample beside the bounds is covered, so blocks that are all in the region need no cutting.
     let cut = if region.contains(blocks) { None } else { Some(bounds) };
-    if blocks.width() <= SMALL && blocks.height() <= SMALL {
-        let Some(steps) = Step::all(triangle, blocks) else { return false };
-        return scan::<L, F>(token, InBlock::all(token, triangle), steps, blocks, cut, visit);
+    let half_planes = triangle.half_planes();
+    if is_small(blocks) {
+        let Some(steps) = Step::all(half_planes, blocks) else { return false };
+        return scan::<L, F>(token, InBlock::all(token, half_planes.edges), steps, blocks, cut, visit);
     }
-    let in_block = InBlock::<L>::all(token, triangle);
+    let in_block = InBlock::<L>::all(token, half_planes.edges);
     let mut any = false;
+    tiles::<L, F, _>(
+        token,
+        half_planes,
+        bounds,
+        #[inline(always)]
+        |square, steps| any |= scan::<L, F>(token, in_block, steps, square, cut, &mut visit),
+    );
+    any
+}
+
+/// Whether bounds, as whole blocks, are gone through block by block at once.
+#[inline(always)]
+pub(super) const fn is_small<F: Format>(blocks: Region<F>) -> bool {
+    blocks.width() <= SMALL && blocks.height() <= SMALL
+}
+
+/// Visits the squares that no edge rejects of all tiles that have a pixel of the bounds; [`squares`] says how.
+#[inline(always)]
+pub(super) fn tiles<L: Lanes, F: Format, R: Rule<F>>(
+    token: L::Token,
+    half_planes: HalfPlanes<F, R>,
+    bounds: Region<F>,
+    mut visit: impl FnMut(Region<F>, [Step; 3]),
+) {
+    let blocks = bounds.blocks();
     let mut y = bounds.y0() & !(TILE - 1);
     while y < bounds.y1() {
         let mut x = bounds.x0() & !(TILE - 1);
         while x < bounds.x1() {
-            squares::<L, F>(
-                token,
-                triangle,
-                blocks,
-                [x, y],
-                #[inline(always)]
-                |square, steps| any |= scan::<L, F>(token, in_block, steps, square, cut, &mut visit),
-            );
+            squares::<L, F, R>(token, half_planes, blocks, [x, y], &mut visit);
             x += TILE;
         }
         y += TILE;
     }
-    any
 }

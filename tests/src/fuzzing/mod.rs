@@ -4,6 +4,7 @@
 //! | target | what it holds |
 //! |---|---|
 //! | [`window_triangles`] | coverage, bounds and statistics of one triangle against the reference |
+//! | [`conservative`] | what one triangle touches and contains, against the reference |
 //! | [`meshes`] | each sample of a mesh exactly once, in the window and clipped |
 //! | [`depths`] | depth as specified and within its interval, tests against a model |
 //! | [`clip_space`] | any bits as clip-space vertices: accounting, neighbours, every vector level |
@@ -13,6 +14,7 @@
 //! `fuzz/seeds/`. What the fuzzer found is in `tests/issues.rs`.
 
 mod clip_space;
+mod conservative;
 mod depths;
 mod draw_calls;
 mod input;
@@ -20,6 +22,7 @@ mod meshes;
 mod window_triangles;
 
 pub use clip_space::clip_space;
+pub use conservative::conservative;
 pub use depths::depths;
 pub use draw_calls::draw_calls;
 pub use meshes::meshes;
@@ -35,6 +38,7 @@ pub type Target = fn(&[u8]) -> Verdict;
 /// All targets by name, as `fuzz/fuzz_targets/` and `fuzz/seeds/` call them.
 pub const TARGETS: &[(&str, Target)] = &[
     ("window_triangles", window_triangles),
+    ("conservative", conservative),
     ("meshes", meshes),
     ("depths", depths),
     ("clip_space", clip_space),

@@ -28,14 +28,7 @@ pub fn equals_reference<F: Format>(frame: &Frame, corners: &Corners) -> Verdict 
 
 /// [`equals_reference`] in a region of 2048 x 5 pixels, or 5 x 2048, and in one that is moved by a few.
 pub fn equals_reference_in_a_long_scissor<F: Format>(random: &mut Random, tall: bool, kind: Kind) -> Verdict {
-    let long = 2048.min(F::MAX_TARGET);
-    let mut region = [0, 0, long, 5];
-    let mut scissor = [random.below(40) as u32, random.below(3) as u32, long - random.below(40) as u32, 5];
-    if tall {
-        region.swap(2, 3);
-        scissor = [scissor[1], scissor[0], scissor[3], scissor[2]];
-    }
-    let frame = Frame { region, scissor, ..Frame::whole::<F>(1, 1) };
+    let frame = Frame::long::<F>(random, tall);
     equals_reference::<F>(&frame, &triangle::<F>(kind, &frame, random.words()))
 }
 

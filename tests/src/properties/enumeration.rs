@@ -3,8 +3,8 @@
 //! Nothing joins triangles with different first corners, so those of each are a part by themselves.
 
 use crate::{Failure, Frame, ensure, failure::Verdict, frame::window_vertices, shapes::Corners};
-use halfplane::{Format, Region, Triangle, traverse};
-use halfplane_reference::cover_rows;
+use halfplane::{Footprint, Format, Region, Triangle, Uncertainty, traverse, traverse_conservative};
+use halfplane_reference::{cover_rows, inside_rows, touch_rows};
 
 /// Pixels on a side of the window that is looked at; one bit each in a [`Picture`].
 const SIDE: u32 = 64;
@@ -71,6 +71,47 @@ pub fn every_triangle_from<F: Format>(frame: &Frame, lattice: Lattice, first: i3
             triangles += 1;
         }
         owner.verdict(p, q)?;
+    }
+    Ok(triangles)
+}
+
+/// Every triple of lattice points that begins with that one, the other two in ascending order (over all first points
+/// that is each triangle with both windings): the pixels that the closed triangle touches, and those that lie in it, are
+/// the reference's, with and without uncertainty.
+///
+/// Returns the number of triangles.
+pub fn every_footprint_from<F: Format>(frame: &Frame, lattice: Lattice, first: i32) -> Result<u64, Failure> {
+    let [x0, y0, x1, y1] = frame.scissor;
+    let region = Region::new(x0, y0, x1, y1)?;
+    let p = lattice.point(first);
+    let others = (0..lattice.points()).flat_map(|b| (b..lattice.points()).map(move |c| (b, c)));
+    let mut triangles = 0;
+    for (b, c) in others {
+        let corners = [p, lattice.point(b), lattice.point(c)];
+        for (uncertainty, half_steps) in [(Uncertainty::None, 0), (Uncertainty::HalfStep, 1)] {
+            let footprint = Footprint::new(window_vertices::<F>(&corners, [9; 3])?, uncertainty);
+            let mut drawn = [[0; SIDE as usize]; 2];
+            traverse_conservative(&footprint, region, |x, y, touched, inside| {
+                for (picture, mask) in drawn.iter_mut().zip([touched, inside]) {
+                    for (column, row) in mask.cells() {
+                        picture[(y + row) as usize % 64] |= 1 << ((x + column) % 64);
+                    }
+                }
+            });
+            let mut expected = [[0; SIDE as usize]; 2];
+            let [touched, inside] = &mut expected;
+            let row_of = |picture: &mut Picture, y: u32, columns: std::ops::Range<u32>| {
+                columns.for_each(|x| picture[y as usize % 64] |= 1 << (x % 64));
+            };
+            let (bits, rect) = (F::SUBPIXEL_BITS, frame.scissor_rect());
+            touch_rows(&corners, bits, half_steps, rect, |y, columns| row_of(touched, y, columns));
+            inside_rows(&corners, bits, half_steps, rect, |y, columns| row_of(inside, y, columns));
+            ensure!(
+                drawn == expected,
+                "{corners:?}, {uncertainty:?}: touched and inside {drawn:x?}, expected {expected:x?}"
+            );
+        }
+        triangles += 1;
     }
     Ok(triangles)
 }

@@ -4,7 +4,7 @@
 
 use super::{
     crossing::{is_exact_in_f32, is_exact_in_f64, turns},
-    enumeration::{Lattice, every_triangle_from},
+    enumeration::{Lattice, every_footprint_from, every_triangle_from},
     fast_triangles::{Cell, every_fast_triangle},
     numbers::{self, every_snap, every_unorm16, every_unorm32},
     shared_edge::every_pair_from,
@@ -70,6 +70,24 @@ pub const ALL: &[Enumeration] = &[
         statement: "Standard, 16x16 positions 64 steps apart: the same",
         parts: POINTS,
         part: |part| triangles::<Standard>(64, part),
+    },
+    Enumeration {
+        name: "footprints",
+        statement: "Toy, 16x16 sub-pixel positions: what is touched and inside is the oracle's",
+        parts: POINTS,
+        part: |part| footprints::<Toy>(1, part),
+    },
+    Enumeration {
+        name: "footprints",
+        statement: "Small, 16x16 positions half a pixel apart: the same",
+        parts: POINTS,
+        part: |part| footprints::<Small>(8, part),
+    },
+    Enumeration {
+        name: "footprints",
+        statement: "Standard, 16x16 positions about a pixel's corner, a step apart: the same",
+        parts: POINTS,
+        part: |part| footprints::<Standard>(1, part),
     },
     Enumeration {
         name: "edges",
@@ -196,6 +214,15 @@ fn lattice<F: Format>(side: i32, spacing: i32) -> Lattice {
 
 fn triangles<F: Format>(spacing: i32, part: u32) -> Result<u64, Failure> {
     every_triangle_from::<F>(&Frame::whole::<F>(64, 64), lattice::<F>(SIDE, spacing), part as i32)
+}
+
+/// In the pixels of the lattice and those next to it.
+fn footprints<F: Format>(spacing: i32, part: u32) -> Result<u64, Failure> {
+    let lattice = lattice::<F>(SIDE, spacing);
+    let end = lattice.origin[0] + (SIDE - 1) * spacing;
+    let (first, end) = ((lattice.origin[0] >> F::SUBPIXEL_BITS) - 1, (end >> F::SUBPIXEL_BITS) + 2);
+    let scissor = [first as u32, first as u32, end as u32, end as u32];
+    every_footprint_from::<F>(&Frame { scissor, ..Frame::whole::<F>(64, 64) }, lattice, part as i32)
 }
 
 fn pairs<F: Format>(side: i32, spacing: i32, part: u32) -> Result<u64, Failure> {

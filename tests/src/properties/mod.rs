@@ -1,6 +1,7 @@
 //! The properties: plain functions of plain inputs, no engine in them.
 
 pub mod clipping;
+pub mod conservative;
 pub mod coverage;
 pub mod crossing;
 #[cfg(feature = "simd")]

@@ -1,8 +1,10 @@
 //! Proofs of the set-up of triangles.
 
 mod edge;
+mod footprint;
 mod pixels;
 mod plane;
+mod rule;
 mod triangle;
 mod vertex;
 

@@ -1,5 +1,6 @@
 //! Proofs of the traversal.
 
+mod conservative;
 mod mask;
 mod scan;
 mod step;

@@ -1,7 +1,7 @@
 //! Proofs of one edge over a rectangle: its corners, its reduction to 32 bits, and its values in blocks.
 
 use crate::{
-    geometry::{Edge, Region, Sample, Triangle, Vertex},
+    geometry::{Edge, Inside, Region, Rule, Sample, Touched, Uncertainty, Vertex},
     lanes::{ArrayLanes, Lanes},
     numbers::{Bounds, Format, Small, Standard},
     proof::{assume, cover, prove},
@@ -16,26 +16,34 @@ const fn magnitudes<const N: usize>(limit: i32) -> core::ops::RangeInclusive<[i3
 /// Largest magnitude of an edge's deltas.
 const DELTA: i32 = Bounds::<Standard>::MAX_DELTA;
 
-/// An edge within the guard band and a triangle with that sample position; what else the triangle is does
-/// not count.
-fn edge_and_sample<F: Format>(
-    [ax, ay, bx, by]: [i32; 4],
-    [sx, sy]: [i32; 2],
-) -> Option<(Edge<F>, Triangle<F>)> {
+/// Largest magnitude of an edge's value at a pixel of a rectangle that it crosses:
+/// `an_edge_is_decided_by_its_corners`.
+const VALUE: i32 = Bounds::<Standard>::MAX_TILE_VALUE as i32;
+
+fn uncertainty(half: bool) -> Uncertainty {
+    if half { Uncertainty::HalfStep } else { Uncertainty::None }
+}
+
+/// An edge within the guard band.
+fn edge<F: Format>([ax, ay, bx, by]: [i32; 4]) -> Option<Edge<F>> {
     let vertex = |x, y| Vertex::<F>::new(x, y, 0).ok();
-    let triangle = Triangle::new([vertex(0, 0)?, vertex(1, 0)?, vertex(0, 1)?], Sample::new(sx, sy)?)?;
-    Some((Edge::new(vertex(ax, ay)?, vertex(bx, by)?), triangle))
+    Some(Edge::new(vertex(ax, ay)?, vertex(bx, by)?))
 }
 
 /// `Step::over` against the edge's value at the rectangle's first pixel and its two corners.
-fn decides_by_the_corners<F: Format>(ends: [i32; 4], sample: [i32; 2], block: [u32; 2], blocks: [u32; 2]) {
-    let Some((edge, triangle)) = edge_and_sample::<F>(ends, sample) else { return };
+fn decides_by_the_corners<F: Format>(
+    ends: [i32; 4],
+    rule: Option<impl Rule<F>>,
+    block: [u32; 2],
+    blocks: [u32; 2],
+) {
+    let (Some(edge), Some(rule)) = (edge::<F>(ends), rule) else { return };
     let ([x0, y0], [width, height]) = (block.map(|at| 4 * at), blocks.map(|count| 4 * count));
     let Ok(rectangle) = Region::<F>::new(x0, y0, x0 + width, y0 + height) else { return };
-    let value: i64 = edge.reduced(triangle.sample(), x0, y0).into();
+    let value: i64 = edge.reduced(rule, x0, y0).into();
     let (lowest, highest) = corner_steps(edge.a(), edge.b(), width as i32, height as i32);
     let (lowest, highest) = (value + i64::from(lowest), value + i64::from(highest));
-    match Step::over(edge, &triangle, rectangle) {
+    match Step::over(edge, rule, rectangle) {
         None => assert!(highest < 0),
         Some(Step::DROPPED) => assert!(lowest >= 0),
         Some(step) => {
@@ -97,7 +105,7 @@ prove! {
         block: [u32; 2] = [0; 2]..=[Standard::MAX_TARGET / 4 - 1; 2],
         blocks: [u32; 2] = [1; 2]..=[16; 2],
     ) {
-        decides_by_the_corners::<Standard>(ends, sample, block, blocks);
+        decides_by_the_corners::<Standard>(ends, Sample::new(sample[0], sample[1]), block, blocks);
     }
 
     /// The same for the small format.
@@ -108,7 +116,72 @@ prove! {
         block: [u32; 2] = [0; 2]..=[Small::MAX_TARGET / 4 - 1; 2],
         blocks: [u32; 2] = [1; 2]..=[16; 2],
     ) {
-        decides_by_the_corners::<Small>(ends, sample, block, blocks);
+        decides_by_the_corners::<Small>(ends, Sample::new(sample[0], sample[1]), block, blocks);
+    }
+
+    /// The same with the rules of conservative coverage, at the corners of pixels: what is touched.
+    [Step::over, corner_steps]
+    fn touching_is_decided_by_its_corners(
+        ends: [i32; 4] = magnitudes(Bounds::<Standard>::GUARD_BAND),
+        half: bool,
+        block: [u32; 2] = [0; 2]..=[Standard::MAX_TARGET / 4 - 1; 2],
+        blocks: [u32; 2] = [1; 2]..=[16; 2],
+    ) {
+        decides_by_the_corners::<Standard>(ends, Some(Touched(uncertainty(half))), block, blocks);
+    }
+
+    /// And what is inside.
+    [Step::over, corner_steps]
+    fn containing_is_decided_by_its_corners(
+        ends: [i32; 4] = magnitudes(Bounds::<Standard>::GUARD_BAND),
+        half: bool,
+        block: [u32; 2] = [0; 2]..=[Standard::MAX_TARGET / 4 - 1; 2],
+        blocks: [u32; 2] = [1; 2]..=[16; 2],
+    ) {
+        decides_by_the_corners::<Standard>(ends, Some(Inside(uncertainty(half))), block, blocks);
+    }
+
+    /// The same for the small format.
+    [Step::over, corner_steps]
+    fn small_touching_is_decided_by_its_corners(
+        ends: [i32; 4] = magnitudes(Bounds::<Small>::GUARD_BAND),
+        half: bool,
+        block: [u32; 2] = [0; 2]..=[Small::MAX_TARGET / 4 - 1; 2],
+        blocks: [u32; 2] = [1; 2]..=[16; 2],
+    ) {
+        decides_by_the_corners::<Small>(ends, Some(Touched(uncertainty(half))), block, blocks);
+    }
+
+    /// And what is inside.
+    [Step::over, corner_steps]
+    fn small_containing_is_decided_by_its_corners(
+        ends: [i32; 4] = magnitudes(Bounds::<Small>::GUARD_BAND),
+        half: bool,
+        block: [u32; 2] = [0; 2]..=[Small::MAX_TARGET / 4 - 1; 2],
+        blocks: [u32; 2] = [1; 2]..=[16; 2],
+    ) {
+        decides_by_the_corners::<Small>(ends, Some(Inside(uncertainty(half))), block, blocks);
+    }
+
+    /// An edge so many columns and rows on is the edge there, exactly where it fits at the rectangle's corners, as
+    /// it does where it is not dropped; one that is dropped stays so.
+    [Step::after]
+    fn an_edge_further_on_is_exact(
+        value: i32 = -VALUE..=VALUE,
+        a: i32 = -DELTA..=DELTA,
+        b: i32 = -DELTA..=DELTA,
+        from: [u32; 2] = [0; 2]..=[63; 2],
+    ) {
+        assert!(Step::DROPPED.after(from) == Step::DROPPED);
+        let at = |x: u32, y: u32| {
+            i64::from(value) + i64::from(x) * i64::from(a) + i64::from(y) * i64::from(b)
+        };
+        let fits = |x, y| at(x, y).abs() <= i64::from(VALUE);
+        assume!(fits(63, 0) & fits(0, 63) & fits(63, 63));
+        assume!(fits(from[0], 0) & fits(from[0], from[1]));
+        let step = Step { value, a, b }.after(from);
+        assert!(i64::from(step.value) == at(from[0], from[1]) && step.a == a && step.b == b);
+        cover!(step.value < 0 && value > 0);
     }
 
     /// An edge's values in a block, relative to its first pixel: i A + j B in lane 4 j + i; the greatest
@@ -120,7 +193,7 @@ prove! {
         column: i32 = 0..=3,
         row: i32 = 0..=3,
     ) {
-        let Some((edge, _)) = edge_and_sample::<Standard>(ends, [0; 2]) else { return };
+        let Some(edge) = edge::<Standard>(ends) else { return };
         let block = InBlock::<ArrayLanes>::of((), edge);
         let mut lanes = [0; 16];
         block.lanes.store(&mut lanes);

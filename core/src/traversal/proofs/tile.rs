@@ -75,7 +75,7 @@ prove! {
         let (Some(triangle), Ok(blocks)) = (everywhere(), Region::new(x0, y0, x1, y1)) else { return };
         let [x, y] = pixel;
         let mut visits = 0;
-        squares::<ArrayLanes, Small>((), &triangle, blocks, [TILE, 0], |square, steps| {
+        squares::<ArrayLanes, Small, _>((), triangle.half_planes(), blocks, [TILE, 0], |square, steps| {
             assert!(square == square.blocks() && square.width() <= SQUARE && square.height() <= SQUARE);
             assert!(steps == [Step::DROPPED; 3]);
             visits += u32::from(square.x0() <= x && x < square.x1() && square.y0() <= y && y < square.y1());
@@ -97,7 +97,7 @@ prove! {
         let Some(triangle) = Triangle::new([a, b, c], Sample::CENTER) else { return };
         let Ok(blocks) = Region::new(4, 8, Small::MAX_TARGET, 64) else { return };
         let mut visited = [false; 16];
-        squares::<ArrayLanes, Small>((), &triangle, blocks, [0, 0], |square, steps| {
+        squares::<ArrayLanes, Small, _>((), triangle.half_planes(), blocks, [0, 0], |square, steps| {
             let (x, y) = (square.x0(), square.y0());
             visited[(4 * (y / SQUARE) + x / SQUARE) as usize & 15] = true;
             for (step, edge) in steps.iter().zip(&triangle.edges()) {

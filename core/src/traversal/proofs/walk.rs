@@ -60,7 +60,7 @@ prove! {
     /// Of a triangle that is everywhere, each pixel of the region is visited once, through tiles and
     /// squares, all others never; regions of one row of blocks, over the borders of tiles.
     #[kani::unwind(18)]
-    [walk]
+    [walk, tiles]
     fn slow_every_pixel_is_visited_once(
         x0: u32 = 27..=30,
         x1: u32 = 66..=69,

@@ -4,8 +4,9 @@
 #![no_main]
 
 use halfplane::{
-    Compare, Coordinate, Coverage, Cull, D16, Depth, DepthTest, Ids, Region, Sample, Small, Standard, State,
-    Statistics, Tiled, Triangle, Vertex, Winding, blocks, draw, texels, traverse, unorm16, unorm32,
+    Compare, Coordinate, Coverage, Cull, D16, Depth, DepthTest, Footprint, Format, Ids, Overlap, Rectangle,
+    Region, Sample, Small, Standard, State, Statistics, Tiled, Triangle, Uncertainty, Vertex, Winding,
+    blocks, draw, texels, traverse, traverse_conservative, unorm16, unorm32,
 };
 use halfplane_bare_metal::{input, inputs, output, program};
 
@@ -44,6 +45,22 @@ fn by_hand() -> Option<u64> {
         }
     });
     Some(sum)
+}
+
+fn conservative<F: Format>() -> Option<u64> {
+    let region = Region::<F>::new(input(25), input(26), input(27), input(28)).ok()?;
+    let [a, b, c] = inputs().map(|[x, y, z]| Vertex::new(x as i32, y as i32, z));
+    let uncertainty = if input(29) == 0 { Uncertainty::None } else { Uncertainty::HalfStep };
+    let footprint = Footprint::new([a.ok()?, b.ok()?, c.ok()?], uncertainty);
+    let mut sum = u64::from(footprint.overlap(region) == Overlap::Covers);
+    sum += u64::from(footprint.bounds(region).map_or(0, |bounds| bounds.x1()));
+    let _ = traverse_conservative(&footprint, region, |x, y, touched, inside| {
+        sum ^= u64::from(x ^ y) << 32 | u64::from(touched.0) << 16 | u64::from(inside.0);
+    });
+    let at = |k| Coordinate::from_steps(input(k) as i32);
+    let rectangle = Rectangle::new([at(30)?, at(31)?], [at(32)?, at(33)?]);
+    sum += u64::from(rectangle.touched(region, uncertainty).map_or(0, |touched| touched.x0()));
+    Some(sum + u64::from(rectangle.inside(region, uncertainty)?.y0()))
 }
 
 fn storage() -> Option<u64> {
@@ -88,6 +105,8 @@ fn draws() -> Option<u64> {
 fn main(_: &mut ()) -> Option<u32> {
     output(numbers());
     output(by_hand().unwrap_or(1));
+    output(conservative::<Standard>().unwrap_or(4));
+    output(conservative::<Small>().unwrap_or(5));
     output(storage().unwrap_or(2));
     output(draws().unwrap_or(3));
     None
