@@ -74,8 +74,13 @@ fn a_tiny_scene_has_a_page_and_tables_and_our_errors_are_those_promised() {
         assert_eq!(number(&row, "pixels_not_as_specified_px"), 0.0, "{row:?}");
         assert!(number(&row, "min_ms") > 0.0 && number(&row, "frames") >= 3.0, "{row:?}");
     }
-    for row in table(&folder, "page/ablation.csv") {
-        assert_eq!(number(&row, "pixels_not_as_specified_px"), 0.0, "{row:?}");
+    let ablation = table(&folder, "page/ablation.csv");
+    let (inside, left_out): (Vec<_>, Vec<_>) =
+        ablation.iter().partition(|row| row["note"].starts_with("not measured: "));
+    assert!(inside.len() == 3 && left_out.len() > 3, "{ablation:?}");
+    for row in left_out {
+        assert_eq!(number(row, "pixels_not_as_specified_px"), 0.0, "{row:?}");
+        assert!(number(row, "min_ms") > 0.0, "{row:?}");
     }
     let depth = table(&folder, "page/depth.csv");
     let ours: Vec<_> = depth.iter().filter(|row| row["choice"].starts_with("D32")).collect();
@@ -91,7 +96,8 @@ fn a_tiny_scene_has_a_page_and_tables_and_our_errors_are_those_promised() {
         let bound = 0.5 / f64::from(1 << bits) + 1e-4;
         assert!(number(row, "largest_vertex_displacement_px") <= bound, "{row:?}");
     }
-    assert!(bits[9]["note"].starts_with("pending: "));
+    let broken = "guard band of ±32768 px it breaks 5 bounds: 1 to 8 sub-pixel bits: 12; ";
+    assert!(bits[9]["note"].contains(broken), "{bits:?}");
     for row in table(&folder, "page/checks.csv") {
         assert_eq!(number(&row, "differences"), 0.0, "{row:?}");
     }

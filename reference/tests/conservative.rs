@@ -3,7 +3,7 @@
 
 mod common;
 
-use std::collections::BTreeSet;
+use std::{collections::BTreeSet, ops::Range};
 
 use common::{Case, Steps, any_case, cases, corners, integer};
 use halfplane_reference::{
@@ -14,21 +14,23 @@ use proptest::prelude::*;
 
 type Pixels = BTreeSet<(u32, u32)>;
 
+type Rows = fn(&Steps, u32, u32, Rect, &mut dyn FnMut(u32, Range<u32>));
+
 /// What is touched and what is inside.
 fn fast(case: &Case, half_steps: u32) -> [Pixels; 2] {
-    let bits = case.grid.subpixel_bits();
-    let collect = |rows: &dyn Fn(&mut dyn FnMut(u32, std::ops::Range<u32>))| {
-        let mut found = Pixels::new();
-        rows(&mut |y, columns| {
-            assert!(!columns.is_empty() && found.last().is_none_or(|&last| last < (u32::MAX, y)));
+    let rules: [Rows; 2] = [
+        |xy, bits, half_steps, rect, row| touch_rows(xy, bits, half_steps, rect, row),
+        |xy, bits, half_steps, rect, row| inside_rows(xy, bits, half_steps, rect, row),
+    ];
+    rules.map(|rows| {
+        let (mut found, mut last) = (Pixels::new(), None);
+        rows(&case.xy, case.grid.subpixel_bits(), half_steps, case.rect, &mut |y, columns| {
+            assert!(!columns.is_empty() && last < Some(y), "rows come once, top down");
+            last = Some(y);
             found.extend(columns.map(|x| (x, y)));
         });
         found
-    };
-    [
-        collect(&|row| touch_rows(&case.xy, bits, half_steps, case.rect, row)),
-        collect(&|row| inside_rows(&case.xy, bits, half_steps, case.rect, row)),
-    ]
+    })
 }
 
 /// A pixel in steps, grown.

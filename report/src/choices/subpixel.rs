@@ -1,11 +1,14 @@
 //! How finely vertices are snapped.
 
-use halfplane::{Format, NO_ID, Standard};
+use halfplane::{Bounds, Format, NO_ID, Standard};
 use halfplane_measure::clip;
 
 use super::repeated;
 use crate::error::ReportError;
-use crate::formats::{Bits1, Bits2, Bits3, Bits4, Bits5, Bits6, Bits7, Grid, Own, WholePixels};
+use crate::formats::{
+    Bits0, Bits1, Bits2, Bits3, Bits4, Bits5, Bits6, Bits7, Bits12, Bits12Near, Grid, Own, WholePixels,
+    broken,
+};
 use crate::plain::{DepthIds, Plain};
 use crate::row::{Column, Entry, Question, Row, Whose};
 use crate::scene::Scene;
@@ -41,12 +44,23 @@ pub fn subpixel<'a>(scene: &'a Scene, truth: &Truth) -> Result<Vec<Entry<'a>>, R
         at::<Standard, Own>("8 bits (Standard)", scene, truth)?,
     ];
     if let Some(first) = entries.first_mut() {
-        first.row.note =
-            "corners at whole pixels, drawn on the grid of 8 bits: formats have 1 to 8 bits".to_owned();
+        first.row.note = format!(
+            "corners at whole pixels, drawn on the grid of 8 bits; a format of 0 bits is refused ({}), as a pixel's centre \
+             lies between its steps",
+            broken::<Bits0>().join("; ")
+        );
     }
-    let reason =
-        "formats have 1 to 8 bits (`Bounds::CHECKED`): with 12, edge values of a large target leave 32 bits";
-    entries.push(Row::pending("12 bits", Whose::Ours, reason).into());
+    let note = format!(
+        "no such format, so nothing to measure. With Standard's guard band of ±{} px it breaks {} bounds: {}. With a \
+         guard band of ±{} px, for targets up to {} px, it breaks this: {}",
+        Bounds::<Standard>::GUARD_BAND / Bounds::<Standard>::STEPS_PER_PIXEL,
+        broken::<Bits12>().len(),
+        broken::<Bits12>().join("; "),
+        Bounds::<Bits12Near>::GUARD_BAND / Bounds::<Bits12Near>::STEPS_PER_PIXEL,
+        Bits12Near::MAX_TARGET,
+        broken::<Bits12Near>().join("; ")
+    );
+    entries.push(Row { note, ..Row::new("12 bits", Whose::Ours) }.into());
     Ok(entries)
 }
 

@@ -25,7 +25,7 @@ pub(super) fn files(report: &Report) -> Vec<File> {
         files.push(of_checks(&report.checks));
     }
     if let Ok(programs) = &report.programs {
-        files.push(of_programs(programs));
+        files.push(of_programs(&programs.linked));
     }
     files
 }
@@ -82,21 +82,28 @@ fn of_programs(programs: &[Program]) -> File {
         "code_bytes",
         "constant_bytes",
         "static_bytes",
-        "instructions",
+        "deepest_stack_bytes",
+        "instructions_per_triangle",
+        "instructions_per_pixel",
+        "instructions_in_the_file",
         "divisions",
         "of_floats",
         "in_vector_registers",
-        "largest_frame_bytes",
         "helpers",
+        "note",
     ];
     let mut rows = vec![heading.map(str::to_owned).to_vec()];
     for program in programs {
         let sizes = [program.code, program.constants, program.statics].map(|size| size.to_string());
-        let counts = program.instructions.map(|of| [of.total, of.divisions, of.floats, of.vectors, of.frame]);
+        let executed = program.executed.as_ref().ok();
+        let executed = executed.map(|of| [of.stack as f64, of.per_triangle(), of.per_pixel()]);
+        let counts = program.instructions.map(|of| [of.total, of.divisions, of.floats, of.vectors]);
         let mut row = vec![program.name.to_owned(), program.what.to_owned(), program.target.clone()];
         row.extend(sizes);
-        row.extend((0..5).map(|k| counts.map_or(String::new(), |counts| counts[k].to_string())));
+        row.extend((0..3).map(|k| executed.map_or(String::new(), |numbers| numbers[k].to_string())));
+        row.extend((0..4).map(|k| counts.map_or(String::new(), |counts| counts[k].to_string())));
         row.push(program.helpers.join(" "));
+        row.push(program.executed.as_ref().err().cloned().unwrap_or_default());
         rows.push(row);
     }
     File { name: "programs.csv".to_owned(), text: text(&rows) }

@@ -10,7 +10,7 @@ mod numbers;
 mod summary;
 
 use crate::error::ReportError;
-use crate::leaving_out::Program;
+use crate::leaving_out::Programs;
 use crate::run::SceneReport;
 use crate::stiffness::Ladder;
 use crate::stiffness::checks::Check;
@@ -32,7 +32,7 @@ pub struct Report {
     /// Orders, symmetries and accumulation.
     pub checks: Vec<Check>,
     /// Linked programs, or why there are none.
-    pub programs: Result<Vec<Program>, String>,
+    pub programs: Result<Programs, String>,
     /// Wrong pixels that a recommendation may have; without it, as few as there can be.
     pub max_error: Option<f64>,
     /// Scenes that were looked for and are not there, and why.
@@ -67,6 +67,7 @@ impl Report {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use crate::leaving_out::{Executed, Program};
     use crate::row::tests::answer;
     use crate::savings::Saving;
     use crate::statistics::Errors;
@@ -106,15 +107,21 @@ pub(crate) mod tests {
             constants: 6,
             statics: 7,
             instructions: None,
+            executed: Err("not measured: x < y".to_owned()),
             helpers: vec!["__udivdi3".to_owned()],
         };
+        let run = Program { name: "run", executed: Ok(Executed::KNOWN), ..program.clone() };
         Report {
             command: "halfplane report".to_owned(),
             machine: "a machine".to_owned(),
             scenes: vec![scene],
             ladders: vec![ladder()],
             checks: vec![check],
-            programs: Ok(vec![program]),
+            programs: Ok(Programs {
+                compiler: "rustc".to_owned(),
+                linked: vec![program, run],
+                skipped: Some("elsewhere: skipped, because a & b".to_owned()),
+            }),
             max_error: None,
             absent: vec!["castle: there is no \"castle.bin\"".to_owned()],
         }
@@ -129,5 +136,17 @@ pub(crate) mod tests {
             ["index.html", "bits.csv", "savings.csv", "stiffness.csv", "checks.csv", "programs.csv"]
         );
         assert!(files.iter().all(|file| !file.text.is_empty()));
+    }
+
+    #[test]
+    fn programs_have_their_numbers_or_the_reason_for_none() {
+        let files = report().files().unwrap();
+        let [page, .., programs] = &files[..] else { panic!("{files:?}") };
+        let rows: Vec<_> = programs.text.lines().collect();
+        assert_eq!(rows[1], "depth,depth D32,here,12345,6,7,,,,,,,,__udivdi3,not measured: x < y");
+        assert_eq!(rows[2], "run,depth D32,here,12345,6,7,96,1288,15.5,,,,,__udivdi3,");
+        assert!(page.text.contains("<td>96</td><td>1288</td><td>15.50</td>"), "{}", page.text);
+        assert!(page.text.contains("colspan=\"3\">not measured: x &lt; y</td>"), "{}", page.text);
+        assert!(page.text.contains("elsewhere: skipped, because a &amp; b."), "{}", page.text);
     }
 }

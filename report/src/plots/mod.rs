@@ -3,6 +3,7 @@
 
 pub mod bars;
 pub mod curves;
+mod listing;
 pub mod rungs;
 pub mod scales;
 pub mod scatter;

@@ -4,22 +4,21 @@
 #![no_main]
 
 use halfplane::{D32, Depth, DepthTest, Region, Standard, State, Vertex, draw, texels};
-use halfplane_bare_metal::{input, inputs, output, program};
+use halfplane_bare_metal::{indices, input, inputs, output, program};
 
 const WIDTH: u32 = 320;
 const HEIGHT: u32 = 16;
+const TEXELS: usize = texels(WIDTH, HEIGHT);
 
-fn main() -> Option<()> {
+fn main(depths: &mut [u32; TEXELS]) -> Option<u32> {
     let region = Region::<Standard>::of_size(WIDTH, HEIGHT).ok()?;
-    let mut depths = [0; texels(WIDTH, HEIGHT)];
-    let mut depth: Depth<'_, Standard, D32> = Depth::new(region, &mut depths, DepthTest::LESS).ok()?;
+    let mut depth: Depth<'_, Standard, D32> = Depth::new(region, depths, DepthTest::LESS).ok()?;
     depth.clear(u32::MAX);
     let [a, b, c] = inputs().map(|[x, y, z]| Vertex::new(x as i32, y as i32, z));
     let vertices = [a.ok()?, b.ok()?, c.ok()?];
-    let indices = [input(9) as u16, input(10) as u16, input(11) as u16];
-    let statistics = draw(&vertices[..], &indices, input(12), &State::new(region), &mut depth);
-    output(u64::from(statistics.ok()?.drawn) + u64::from(depth.get(input(13), input(14))?));
-    Some(())
+    let statistics = draw(&vertices[..], indices(), input(12), &State::new(region), &mut depth).ok()?;
+    output(u64::from(statistics.drawn) + u64::from(depth.get(input(13), input(14))?));
+    Some(statistics.drawn)
 }
 
-program!(main);
+program!(main, [u32; TEXELS] = [0; TEXELS]);

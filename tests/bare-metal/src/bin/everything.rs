@@ -102,13 +102,14 @@ fn draws() -> Option<u64> {
     Some(u64::from(total.drawn))
 }
 
-fn main() {
+fn main(_: &mut ()) -> Option<u32> {
     output(numbers());
     output(by_hand().unwrap_or(1));
     output(conservative::<Standard>().unwrap_or(4));
     output(conservative::<Small>().unwrap_or(5));
     output(storage().unwrap_or(2));
     output(draws().unwrap_or(3));
+    None
 }
 
-program!(main);
+program!(main, () = ());

@@ -10,17 +10,32 @@ use halfplane::{
     },
     texels,
 };
-use halfplane_bare_metal::{input, inputs, output, program};
+use halfplane_bare_metal::{indices, input, inputs, output, program};
 
 const WIDTH: u32 = 320;
 const HEIGHT: u32 = 16;
 
-fn main() -> Option<()> {
+/// What a caller of the fast path lends it.
+struct Memory {
+    depths: [u32; texels(WIDTH, HEIGHT)],
+    ids: [u32; texels(WIDTH, HEIGHT)],
+    meshlets: [Meshlet; max_meshlets(64)],
+    scratch: MeshletScratch,
+}
+
+impl Memory {
+    const NEW: Self = Self {
+        depths: [0; texels(WIDTH, HEIGHT)],
+        ids: [0; texels(WIDTH, HEIGHT)],
+        meshlets: [Meshlet::EMPTY; max_meshlets(64)],
+        scratch: MeshletScratch::NEW,
+    };
+}
+
+fn main(memory: &mut Memory) -> Option<u32> {
     let region = Region::<Standard>::of_size(WIDTH, HEIGHT).ok()?;
-    let mut depth_texels = [0; texels(WIDTH, HEIGHT)];
-    let mut id_texels = [0; texels(WIDTH, HEIGHT)];
-    let mut depth: Depth<'_, Standard, D32> = Depth::new(region, &mut depth_texels, DepthTest::LESS).ok()?;
-    let mut ids = Ids::new(region, &mut id_texels).ok()?;
+    let mut depth: Depth<'_, Standard, D32> = Depth::new(region, &mut memory.depths, DepthTest::LESS).ok()?;
+    let mut ids = Ids::new(region, &mut memory.ids).ok()?;
     depth.clear(u32::MAX);
     ids.clear();
     let vertices = inputs().map(|vertex| vertex.map(f32::from_bits));
@@ -30,22 +45,23 @@ fn main() -> Option<()> {
     let positions = ModelPositions::new(&vertices, matrix, viewport);
     let mut records = [Snapped::default(); 4];
     let scratch = records.get_mut(..input(33) as usize)?;
-    let indices: [u32; 30] = core::array::from_fn(|i| input(34 + i));
-    let indices = indices.get(..input(32) as usize)?;
+    let indices = indices();
     let triangles = Triangles::new(indices, vertices.len()).ok()?;
     let level = if input(15) == 0 { Level::FALLBACK } else { Level::baseline() };
     let state = State::new(region);
     let statistics =
-        draw(level, &positions, scratch, triangles, input(12), &state, &mut (&mut depth, &mut ids));
-    output(u64::from(statistics.ok()?.submitted));
-    let mut memory = [Meshlet::EMPTY; max_meshlets(10)];
-    let meshlets = make_meshlets(&vertices, indices, memory.get_mut(..input(11) as usize)?).ok()?;
-    let mut scratch = MeshletScratch::NEW;
+        draw(level, &positions, scratch, triangles, input(12), &state, &mut (&mut depth, &mut ids)).ok()?;
+    output(u64::from(statistics.submitted));
+    let drawn = statistics.drawn;
+    if input(11) == 0 {
+        return Some(drawn);
+    }
+    let meshlets = make_meshlets(&vertices, indices, memory.meshlets.get_mut(..input(11) as usize)?).ok()?;
     let mut all = (&mut depth, &mut ids);
     let statistics =
-        draw_meshlets(level, meshlets, matrix, viewport, &mut scratch, input(10), &state, &mut all);
+        draw_meshlets(level, meshlets, matrix, viewport, &mut memory.scratch, input(10), &state, &mut all);
     output(u64::from(statistics.ok()?.drawn) + u64::from(depth.get(input(13), input(14))?));
-    Some(())
+    Some(drawn)
 }
 
-program!(main);
+program!(main, Memory = Memory::NEW);
