@@ -15,6 +15,8 @@ fn allowed(module: &str) -> Option<Vec<&'static str>> {
     match module {
         // Beside `draw`, and knows only these.
         "transform" => Some(vec!["numbers", "geometry"]),
+        // Above `draw`, and beside `transform`.
+        "bins" => Some(ORDER.to_vec()),
         // Above all others, if it is there: no layer may know of it.
         "simd" => Some(ORDER.into_iter().chain(["transform"]).collect()),
         _ => ORDER.iter().position(|&layer| layer == module).map(|place| ORDER[..place].to_vec()),

@@ -74,9 +74,12 @@ impl Part {
 }
 
 /// The files and folders of the core, and what their code does.
-const FILES: [(&str, Option<Part>); 37] = [
+const FILES: [(&str, Option<Part>); 42] = [
     ("simd/vertex", Some(Part::Transform)),
-    ("simd/frustum", Some(Part::Cull)),
+    ("simd/batch", Some(Part::Cull)),
+    ("simd/cluster", Some(Part::Cull)),
+    ("simd/occluded", Some(Part::Cull)),
+    ("simd/questions", Some(Part::Cull)),
     ("simd/meshlet", Some(Part::Cull)),
     // Before `window`, which it begins with.
     ("simd/windows", Some(Part::Traversal)),
@@ -90,6 +93,7 @@ const FILES: [(&str, Option<Part>); 37] = [
     ("simd/blocks", Some(Part::Traversal)),
     ("simd/rows", Some(Part::Traversal)),
     ("simd/attachment", Some(Part::Depth)),
+    ("simd/hierarchical", Some(Part::Depth)),
     // Of cull and of set-up.
     ("simd/extent", None),
     ("simd/draw", None),
@@ -98,6 +102,8 @@ const FILES: [(&str, Option<Part>); 37] = [
     ("simd/ops", None),
     ("simd/level", None),
     ("simd/mod", None),
+    ("transform/frustum", Some(Part::Cull)),
+    ("transform/bound", Some(Part::Cull)),
     ("transform/", Some(Part::Transform)),
     ("geometry/positions", Some(Part::Transform)),
     ("geometry/facing", Some(Part::Cull)),
@@ -113,7 +119,6 @@ const FILES: [(&str, Option<Part>); 37] = [
     ("numbers/", None),
     ("lanes/", None),
     ("bins", Some(Part::Cull)),
-    ("occlusion", None),
     ("lib.rs", None),
 ];
 

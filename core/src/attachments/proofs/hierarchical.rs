@@ -10,13 +10,13 @@ use super::{
     one_lane::OneLane,
 };
 use crate::{
-    attachments::{Compare, D16, D32, DepthFormat, DepthTest, HierarchicalDepth},
+    attachments::{Compare, D16, D32, DepthFormat},
     geometry::Region,
     numbers::{DEPTH32_MAX, DEPTH32_MIN, Format, Small, Standard, Word},
     proof::{cover, prove},
 };
 
-const COMPARISONS: [Compare; 5] =
+pub(super) const COMPARISONS: [Compare; 5] =
     [Compare::Less, Compare::LessEqual, Compare::Greater, Compare::GreaterEqual, Compare::Always];
 
 /// Whether a depth passes against a stored one.
@@ -47,50 +47,7 @@ fn limits_are_the_test<F: Format, D: DepthFormat<F>>(compare: usize, nearest: u3
     cover!(passes(compare, fragment, stored) && behind > 0);
 }
 
-/// The answer for a region of one block, of these depths, is that of its pixels one by one, asked twice.
-fn is_every_pixel(
-    compare: usize,
-    texels: [u32; 16],
-    area: [u32; 4],
-    nearest: u32,
-    [width, height]: [u32; 2],
-) {
-    let compare = COMPARISONS[compare];
-    let (Ok(region), [x0, y0, x1, y1]) = (Region::<Standard>::of_size(width, height), area) else { return };
-    let Ok(area) = Region::new(x0, y0, x1, y1) else { return };
-    let (mut storage, mut ranges) = (texels, [DepthRange::UNKNOWN; 2]);
-    let test = DepthTest { compare, write: true };
-    let depth = HierarchicalDepth::<Standard>::new(region, &mut storage, &mut ranges, test);
-    let Ok(mut depth) = depth else { unreachable!("there is memory") };
-    let hidden = depth.hides(area, nearest);
-    let limit = Limit::new::<Standard, D32>(compare, nearest);
-    let mut expected = limit.is_some();
-    for (at, &stored) in (0..).zip(&texels) {
-        let (x, y) = (at % 4, at / 4);
-        let asked = x0 <= x && x < x1.min(width) && y0 <= y && y < y1.min(height);
-        let shown = limit.is_some_and(|l| !l.hides(DepthRange { low: stored, high: stored, version: 0 }));
-        expected &= !(asked && shown);
-    }
-    assert!(hidden == expected);
-    // Now that the ranges are known.
-    assert!(depth.hides(area, nearest) == expected);
-}
-
 prove! {
-    /// A whole answer: nothing is said to be hidden but where every pixel hides it, and everything is that is.
-    #[kani::unwind(18)]
-    [HierarchicalDepth::hides_with, HierarchicalDepth::look, HierarchicalDepth::shows, Tiled::row]
-    fn slow_answers_are_every_pixels(
-        one: u32,
-        other: u32,
-        which: u16,
-        area: [u32; 4] = [0; 4]..=[3, 3, 5, 5],
-        nearest: u32,
-    ) {
-        let texels = core::array::from_fn(|at| if which >> at & 1 != 0 { one } else { other });
-        is_every_pixel(0, texels, area, nearest, [4, 3]);
-    }
-
     /// Of 32 bits: what is hidden passes nowhere, what is not hidden would.
     [Limit::new, Limit::hides]
     fn limits_of_32_bits_are_the_test(compare: usize = 0..=4, nearest: u32, behind: u32, stored: u32) {

@@ -5,4 +5,6 @@ mod hierarchical;
 mod one_lane;
 mod samples;
 mod storage;
+#[cfg(test)]
+mod tested;
 mod texels;

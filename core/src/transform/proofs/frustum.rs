@@ -8,7 +8,7 @@ use crate::{
 prove! {
     /// A box that is left out has its corners outside one plane of the frustum, and so whatever is in it:
     /// through the identity, for any box.
-    [Frustum::new, Frustum::excludes_box, greater]
+    [Frustum::new, Frustum::between, Frustum::excludes_box, greater]
     fn boxes_left_out_are_outside(low: [u32; 3], high: [u32; 3]) {
         let (low, high) = (low.map(f32::from_bits), high.map(f32::from_bits));
         let identity = [[1., 0., 0., 0.], [0., 1., 0., 0.], [0., 0., 1., 0.], [0., 0., 0., 1.]];
@@ -26,7 +26,7 @@ prove! {
     }
 
     /// A box that is not finite is never left out, whatever the matrix.
-    [Frustum::new, Frustum::excludes_box, greater]
+    [Frustum::new, Frustum::between, Frustum::excludes_box, greater]
     fn infinite_boxes_stay(matrix: [[u32; 4]; 4], end: u32, axis: usize = 0..=2) {
         let matrix = matrix.map(|row| row.map(f32::from_bits));
         let mut low = [0.0; 3];
