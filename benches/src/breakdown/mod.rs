@@ -74,12 +74,13 @@ impl Part {
 }
 
 /// The files and folders of the core, and what their code does.
-const FILES: [(&str, Option<Part>); 42] = [
+const FILES: [(&str, Option<Part>); 43] = [
     ("simd/vertex", Some(Part::Transform)),
     ("simd/batch", Some(Part::Cull)),
     ("simd/cluster", Some(Part::Cull)),
     ("simd/occluded", Some(Part::Cull)),
     ("simd/questions", Some(Part::Cull)),
+    ("simd/sort", Some(Part::Cull)),
     ("simd/meshlet", Some(Part::Cull)),
     // Before `window`, which it begins with.
     ("simd/windows", Some(Part::Traversal)),

@@ -14,14 +14,15 @@ impl TileOrder {
     /// (column, row) of each tile of so many columns and rows, each once.
     pub(super) fn tiles(self, columns: u32, rows: u32) -> impl Iterator<Item = (u32, u32)> {
         // A target has at most 2^17 tiles to a side: sides are below 2^23 px.
-        let side = columns.max(rows).next_power_of_two();
+        let side = columns.max(rows).checked_next_power_of_two().unwrap_or(0);
+        let width = u64::from(columns.max(1));
         let count = match self {
-            Self::Rows => u64::from(columns) * u64::from(rows),
+            Self::Rows => width * u64::from(rows),
             Self::Hilbert => u64::from(side) * u64::from(side),
         };
         (0..count).filter_map(move |at| {
             let (column, row) = match self {
-                Self::Rows => ((at % u64::from(columns)) as u32, (at / u64::from(columns)) as u32),
+                Self::Rows => ((at % width) as u32, (at / width) as u32),
                 Self::Hilbert => hilbert(side, at),
             };
             (column < columns && row < rows).then_some((column, row))

@@ -1,5 +1,6 @@
 //! Triangles that are near one another made neighbours in the list, once per mesh.
 
+use super::sort::select;
 use crate::draw::{self, DrawError, Index};
 
 /// Triangles in a leaf: their order does not matter any more.
@@ -41,9 +42,7 @@ fn halve<I: Index>(positions: &[[f32; 3]], triangles: &mut [[I; 3]]) {
         }
     }
     let (axis, half) = (longest.0, triangles.len() / 2);
-    triangles.select_nth_unstable_by(half, |a, b| {
-        center(positions, a, axis).total_cmp(&center(positions, b, axis))
-    });
+    select(triangles, half, |triangle| center(positions, triangle, axis));
     let (first, second) = triangles.split_at_mut_checked(half).unwrap_or_default();
     halve(positions, first);
     halve(positions, second);

@@ -66,6 +66,7 @@ mod questions;
 mod queue;
 mod rows;
 mod setup;
+mod sort;
 mod source;
 mod vertex;
 mod window;

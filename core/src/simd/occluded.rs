@@ -10,6 +10,7 @@ use super::{
     meshlet::{Meshlet, MeshletPositions},
     pipeline::{Drawing, Scratch},
     questions::{Questions, Visibility},
+    sort,
     source::InView,
     vertex::VertexLanes,
     window::MeshletScratch,
@@ -25,6 +26,11 @@ use fearless_simd::{Simd, dispatch};
 /// Memory to put a batch in its place from front to back.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct BatchOrder(u64);
+
+impl BatchOrder {
+    /// To fill arrays with.
+    pub const NEW: Self = Self(0);
+}
 
 /// What was asked in a draw of batches, and how often the answer was "hidden".
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -90,7 +96,7 @@ pub fn draw_batches<A: RowAttachment + Occluder>(
     };
     let frustum = Frustum::of_area(&matrix, &viewport, area);
     let mut outside = 0;
-    let order = sort(batches, &matrix, order, |batch| {
+    let order = front_to_back(batches, &matrix, order, |batch| {
         let excluded = frustum.excludes_box(batch.corners());
         if excluded {
             outside += triangles_of(batch.meshlets(meshlets));
@@ -141,7 +147,7 @@ pub fn draw_batches<A: RowAttachment + Occluder>(
 }
 
 /// Batches by their nearest corner, then by their place.
-fn sort<'o>(
+fn front_to_back<'o>(
     batches: &[Batch],
     matrix: &[[f32; 4]; 4],
     order: &'o mut [BatchOrder],
@@ -158,7 +164,7 @@ fn sort<'o>(
         }
     }
     let order = order.get_mut(..kept).unwrap_or_default();
-    order.sort_unstable_by_key(|key| key.0);
+    sort::sort(order, |key| key.0);
     order
 }
 

@@ -47,10 +47,10 @@ impl<F: Format> Viewport<F> {
         [low, high]: [[f32; 3]; 2],
         sample: Sample<F>,
     ) -> Bound<F> {
-        let [x, y, z, w] = [0, 1, 2, 3].map(
-            #[inline(always)]
-            |component| Corners::new(matrix.map(|row| row[component]), low, high),
-        );
+        let [[ax, ay, az, aw], [bx, by, bz, bw], [cx, cy, cz, cw], [dx, dy, dz, dw]] = *matrix;
+        let corners = |column| Corners::new(column, low, high);
+        let (x, y) = (corners([ax, bx, cx, dx]), corners([ay, by, cy, dy]));
+        let (z, w) = (corners([az, bz, cz, dz]), corners([aw, bw, cw, dw]));
         let nearest = least(w.values) - w.size * MARGIN;
         // NaN and infinities compare to false.
         if !(nearest >= f32::MIN_POSITIVE && x.size + y.size + z.size + w.size < f32::INFINITY) {

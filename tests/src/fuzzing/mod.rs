@@ -8,24 +8,30 @@
 //! | [`meshes`] | each sample of a mesh exactly once, in the window and clipped |
 //! | [`depths`] | depth as specified and within its interval, tests against a model |
 //! | [`clip_space`] | any bits as clip-space vertices: accounting, neighbours, every vector level |
+//! | [`bins`] | triangles through bins of any size against immediate drawing |
+//! | [`queries`] | what is said to be hidden against every pixel; boxes, spheres, batches |
 //! | [`draw_calls`] | whole draw calls, wrong ones too, against brute force; the fast path and meshlets |
 //!
 //! The drivers are `fuzz/fuzz_targets/` for libFuzzer and `tests/corpus.rs`, which replays the seeds
 //! `fuzz/seeds/`. What the fuzzer found is in `tests/issues.rs`.
 
+mod bins;
 mod clip_space;
 mod conservative;
 mod depths;
 mod draw_calls;
 mod input;
 mod meshes;
+mod queries;
 mod window_triangles;
 
+pub use bins::bins;
 pub use clip_space::clip_space;
 pub use conservative::conservative;
 pub use depths::depths;
 pub use draw_calls::draw_calls;
 pub use meshes::meshes;
+pub use queries::queries;
 pub use window_triangles::window_triangles;
 
 use crate::{Failure, failure::Verdict};
@@ -43,6 +49,8 @@ pub const TARGETS: &[(&str, Target)] = &[
     ("depths", depths),
     ("clip_space", clip_space),
     ("draw_calls", draw_calls),
+    ("bins", bins),
+    ("queries", queries),
 ];
 
 /// Holds a property against what the bytes decode to; a failure tells what that was.

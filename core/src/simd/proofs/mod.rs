@@ -12,6 +12,7 @@ mod ops;
 mod queue;
 mod rows;
 mod setup;
+mod sort;
 #[cfg(test)]
 mod tested;
 mod vector_lanes;

@@ -1,6 +1,12 @@
 //! Properties that no prover finished: for tests alone.
 
-use super::{super::meshlet::Builder, setup::gradient_is_nearest};
+use super::{
+    super::{
+        meshlet::Builder,
+        sort::{select, sort},
+    },
+    setup::gradient_is_nearest,
+};
 use crate::proof::{cover, prove};
 
 prove! {
@@ -33,5 +39,31 @@ prove! {
         assert!(meshlet.vertices() == distinct);
         cover!(distinct == 4);
         cover!(distinct == 1);
+    }
+
+    /// More elements, many of them equal, come out in order, and are the same.
+    []
+    fn many_are_sorted(keys: [u32; 32], few: u32 = 1..=40, count: usize = 0..=32) {
+        let mut sorted = keys.map(|key| u64::from(key % few));
+        let elements = &mut sorted[..count];
+        sort(elements, |&key| key);
+        assert!(elements.is_sorted());
+        let sum: u64 = elements.iter().sum();
+        assert!(sum == keys[..count].iter().map(|key| u64::from(key % few)).sum());
+    }
+
+    /// Of more elements, none before the chosen rank is greater, and none behind it smaller.
+    []
+    fn many_are_parted(keys: [u32; 32], few: u32 = 1..=40, count: usize = 1..=32, nth: usize = 0..=31) {
+        let mut parted = keys.map(|key| (key % few) as f32);
+        let elements = &mut parted[..count];
+        let nth = nth % count;
+        select(elements, nth, |&value| value);
+        let mut sorted = keys.map(|key| (key % few) as f32);
+        sorted[..count].sort_unstable_by(f32::total_cmp);
+        assert!(elements[nth] == sorted[nth]);
+        assert!(elements[..nth].iter().all(|&v| v <= elements[nth]));
+        assert!(elements[nth..].iter().all(|&v| v >= elements[nth]));
+        assert!(elements.iter().sum::<f32>() == sorted[..count].iter().sum::<f32>());
     }
 }

@@ -1,0 +1,67 @@
+//! What is said to be hidden, is.
+
+use super::{
+    check,
+    input::{Place, Shape},
+};
+use crate::{
+    Failure,
+    failure::Verdict,
+    properties::{batches, depth_test::COMPARISONS, hierarchical, simd},
+    shapes::Kind,
+};
+use arbitrary::Arbitrary;
+use halfplane::{D16, D32, DepthFormat, DepthTest, Format, Small, Standard};
+use halfplane_reference::DepthSpec;
+
+/// Largest side of a frame of which every pixel is asked for.
+const SIDE: u16 = 90;
+/// Most triangles of a scene, and of a mesh.
+const MOST: [usize; 2] = [12, 300];
+
+#[derive(Debug, Arbitrary)]
+enum Case {
+    /// Questions between draws.
+    Pixels { format: u8, place: Place, test: (u8, bool), seed: u64, triangles: Vec<(Shape, [u32; 4])> },
+    /// Boxes, spheres and batches of a mesh.
+    Mesh { place: Place, how: [u32; 10], what: u8, center: [i8; 3], triangles: Vec<simd::Numbers> },
+}
+
+/// Hierarchical depth against every pixel; boxes against what is in them; batches against their mesh.
+pub fn queries(data: &[u8]) -> Verdict {
+    check(data, |case: &Case| match case {
+        Case::Pixels { format, .. } => match format % 3 {
+            0 => pixels::<Standard, D32>(case, DepthSpec::D32),
+            1 => pixels::<Standard, D16>(case, DepthSpec::D16),
+            _ => pixels::<Small, D16>(case, DepthSpec::SMALL),
+        },
+        Case::Mesh { place, how, what, center, triangles } => {
+            let triangles = &triangles[..triangles.len().min(MOST[1])];
+            let case = simd::Case::from_numbers(place.0.map(u32::from), *how, triangles, &Kind::ALL);
+            match what % 4 {
+                0 => batches::batches_are_the_mesh(&case).map(|_| ()),
+                1 => batches::boxes_bound_what_they_hold(&case).map(|_| ()),
+                2 => batches::answers_are_certain(&case).map(|_| ()),
+                _ => {
+                    let radius = f32::from(*what).exp2() / 1024.0;
+                    let center = center.map(f32::from);
+                    batches::spheres_left_out_are_outside(&case, center, radius, u64::from(how[0]))
+                        .map(|_| ())
+                }
+            }
+        }
+    })
+}
+
+fn pixels<F: Format, D: DepthFormat<F>>(case: &Case, spec: DepthSpec) -> Verdict {
+    let Case::Pixels { place, test, seed, triangles, .. } = case else {
+        return Err(Failure::new("not a case of pixels"));
+    };
+    let frame = place.small::<F>(SIDE);
+    let shots: Vec<_> =
+        triangles.iter().take(MOST[0]).map(|(shape, z)| shape.shot::<F>(&frame, *z)).collect();
+    let compare = COMPARISONS[usize::from(test.0) % COMPARISONS.len()];
+    let test = DepthTest { compare, write: test.1 };
+    hierarchical::answers_are_those_of_the_pixels::<F, D>(&frame, &shots, test, spec, *seed)?;
+    hierarchical::hidden_triangles_change_nothing::<F, D>(&frame, &shots, test).map(|_| ())
+}
