@@ -28,7 +28,7 @@ pub enum Uncertainty {
     #[default]
     None,
     /// Half a step in x and in y, which is what snapping to the nearest step can move them: 1/512 px for
-    /// [`Standard`](crate::Standard), the smallest uncertainty region of Direct3D 11.3, 15.17.
+    /// [`Standard`](crate::Standard), the smallest uncertainty region of Direct3D ("Conservative Rasterization").
     HalfStep,
 }
 

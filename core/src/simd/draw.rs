@@ -133,7 +133,11 @@ pub fn draw_meshlets<A: RowAttachment>(
         simd.vectorize(
             #[inline(always)]
             || {
-                let frustum = Frustum::of_area(&matrix, &viewport, area);
+                // A band's, or another scissor's. What is beside it and would not be clipped is outside in
+                // every draw.
+                let beside = (area != viewport.region())
+                    .then(|| (Frustum::of_area(&matrix, &viewport, area), Frustum::unclipped(&matrix, &viewport)));
+                let frustum = Frustum::new(&matrix);
                 let lanes = VertexLanes::new(simd, &camera);
                 let culling = Culling::new(simd, area, state);
                 let mut queues = Scratch::EMPTY.clone();
@@ -141,7 +145,11 @@ pub fn draw_meshlets<A: RowAttachment>(
                 loop {
                     scratch.clear();
                     while scratch.has_room() && let Some((number, meshlet)) = numbered.next() {
-                        if frustum.excludes_box([meshlet.low, meshlet.high]) {
+                        let corners = [meshlet.low, meshlet.high];
+                        let is_beside = |(sides, unclipped): (Frustum, Frustum)| {
+                            sides.excludes_box(corners) && unclipped.contains_box(corners)
+                        };
+                        if frustum.excludes_box(corners) || beside.is_some_and(is_beside) {
                             statistics.culled.outside += meshlet.corners().len() as u32;
                         } else {
                             scratch.add(simd, &lanes, meshlet, number);

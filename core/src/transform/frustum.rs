@@ -47,6 +47,14 @@ impl Frustum {
         Self::between(matrix, ends.map(|end| end.clamp(-1.0, 1.0)))
     }
 
+    /// Of what is drawn without being clipped: the near and the far plane, and the guard band.
+    #[cfg(feature = "simd")]
+    #[inline(always)]
+    pub(crate) fn unclipped<F: Format>(matrix: &[[f32; 4]; 4], viewport: &Viewport<F>) -> Self {
+        let [left, right, top, bottom] = viewport.guard_band();
+        Self::between(matrix, [left, right, bottom, top])
+    }
+
     /// Of what has left w <= x <= right w and bottom w <= y <= top w.
     #[inline(always)]
     fn between(matrix: &[[f32; 4]; 4], [left, right, bottom, top]: [f32; 4]) -> Self {
@@ -56,7 +64,8 @@ impl Frustum {
         };
         let size = |row: [f32; 4]| {
             let [x, y, z, w] = row.map(f32::abs);
-            [w + x, w + x, w + y, w + y, z, w + z, w, 0.0]
+            let side = |end: f32, v: f32| if end.abs() > 1.0 { end.abs() * w + v } else { w + v };
+            [side(left, x), side(right, x), side(bottom, y), side(top, y), z, w + z, w, 0.0]
         };
         Self { rows: matrix.map(row), sizes: matrix.map(size) }
     }
@@ -82,6 +91,27 @@ impl Frustum {
             finite &= magnitude < f32::INFINITY;
         }
         outside & finite
+    }
+
+    /// Whether every vertex in a box is inside all of the planes, rounding allowed for. `false` where that is not
+    /// certain.
+    #[cfg(feature = "simd")]
+    #[inline(always)]
+    pub(crate) fn contains_box(&self, [[x0, y0, z0], [x1, y1, z1]]: [[f32; 3]; 2]) -> bool {
+        let ([a, b, c, d], [sa, sb, sc, sd]) = (self.rows, self.sizes);
+        let [x, y, z] =
+            [greater(x0.abs(), x1.abs()), greater(y0.abs(), y1.abs()), greater(z0.abs(), z1.abs())];
+        let mut inside = true;
+        // Not the last lane, which has no plane.
+        for k in 0..7 {
+            let value = -greater(-a[k] * x1, -a[k] * x0)
+                - greater(-b[k] * y1, -b[k] * y0)
+                - greater(-c[k] * z1, -c[k] * z0)
+                + d[k];
+            let magnitude = sa[k] * x + sb[k] * y + sc[k] * z + sd[k];
+            inside &= value > magnitude * MARGIN + f32::MIN_POSITIVE && magnitude < f32::INFINITY;
+        }
+        inside
     }
 
     /// [`excludes_box`](Self::excludes_box) for the sphere of a radius, not negative, round a centre.

@@ -96,8 +96,9 @@ pub fn clusters_are_small(triangles: usize, seed: u64) -> Verdict {
     // Each halving halves the boxes; they do not meet the runs exactly.
     let halvings = (triangles as f64 / 64.0).log2().floor();
     let after = volume(&clustered);
+    let allowed = before * 0.5f64.powf(halvings) * 4.0 + 1.0;
     ensure!(
-        after <= before * 0.5f64.powf(halvings) * 4.0 + 1.0,
+        after.total_cmp(&allowed).is_le(),
         "boxes of {after} after, {before} before, for {triangles} triangles"
     );
     Ok(())
@@ -172,7 +173,7 @@ pub fn batches_are_the_mesh(case: &Case) -> Result<Drawn, Failure> {
         Compare::Always => DepthTest { compare: Compare::Less, ..case.test },
         _ => case.test,
     };
-    if case.attachments % 4 == 0 {
+    if case.attachments.is_multiple_of(4) {
         at_every_level::<D16>(case, test, |storage| &mut storage.depths16)
     } else {
         at_every_level::<D32>(case, test, |storage| &mut storage.depths)

@@ -187,7 +187,7 @@ fn by_steps<F: Format, P: Positions<F> + ?Sized, A: Attachment<F>>(
 /// Draws that are refused leave bins and attachments as they were; so do bins with too little memory.
 pub fn errors_change_nothing<F: Format>(region: Region<F>, seed: u64) -> Verdict {
     let mut random = Random(seed);
-    let mut memory = Memory::new(region, 10, 10);
+    let mut memory = Memory::new(region, bin_tiles(region), 10);
     let (needed, given) = (memory.tiles.len(), random.below(memory.tiles.len()));
     let short = Bins::new(region, &mut memory.tiles[..given], &mut memory.chunks, &mut memory.triangles);
     ensure_eq!(
@@ -359,7 +359,7 @@ pub fn tiles_come_in_order(columns: u32, rows: u32, order: TileOrder) -> Verdict
 
 /// Another sample position is another round.
 pub fn samples_do_not_mix<F: Format>(region: Region<F>, other: halfplane::Sample<F>) -> Verdict {
-    let mut memory = Memory::new(region, 10, 10);
+    let mut memory = Memory::new(region, bin_tiles(region), 10);
     let mut bins = memory.bins(region)?;
     let corner = |x: u32, y: u32| {
         halfplane::Vertex::<F>::new((x << F::SUBPIXEL_BITS) as i32, (y << F::SUBPIXEL_BITS) as i32, 9)
