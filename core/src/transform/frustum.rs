@@ -95,9 +95,9 @@ impl Frustum {
 
     /// Whether every vertex in a box is inside all of the planes, rounding allowed for. `false` where that is not
     /// certain.
-    #[cfg(feature = "simd")]
     #[inline(always)]
-    pub(crate) fn contains_box(&self, [[x0, y0, z0], [x1, y1, z1]]: [[f32; 3]; 2]) -> bool {
+    #[must_use]
+    pub fn contains_box(&self, [[x0, y0, z0], [x1, y1, z1]]: [[f32; 3]; 2]) -> bool {
         let ([a, b, c, d], [sa, sb, sc, sd]) = (self.rows, self.sizes);
         let [x, y, z] =
             [greater(x0.abs(), x1.abs()), greater(y0.abs(), y1.abs()), greater(z0.abs(), z1.abs())];

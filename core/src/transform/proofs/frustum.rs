@@ -25,6 +25,18 @@ prove! {
         cover!(excluded && ordered && common == [2, 0, 0, 0]);
     }
 
+    /// A box that is contained has its corners inside all planes of the frustum: through the identity, for any box.
+    [Frustum::new, Frustum::between, Frustum::contains_box, greater]
+    fn boxes_contained_are_inside(low: [u32; 3], high: [u32; 3]) {
+        let corners = [low.map(f32::from_bits), high.map(f32::from_bits)];
+        let identity = [[1., 0., 0., 0.], [0., 1., 0., 0.], [0., 0., 1., 0.], [0., 0., 0., 1.]];
+        let contained = Frustum::new(&identity).contains_box(corners);
+        for [x, y, z] in corners {
+            assert!(!contained || Plane::frustum_has([x, y, z, 1.0]));
+        }
+        cover!(contained);
+    }
+
     /// A box that is not finite is never left out, whatever the matrix.
     [Frustum::new, Frustum::between, Frustum::excludes_box, greater]
     fn infinite_boxes_stay(matrix: [[u32; 4]; 4], end: u32, axis: usize = 0..=2) {
