@@ -11,8 +11,9 @@ use crate::Matrix;
 use crate::buffer::Buffer;
 use crate::level::Level;
 
-/// Bands for each thread: those who are done early take another's.
-const BANDS: usize = 4;
+/// Bands for each thread: those who are done early take another's. More of them share the work better, and draw what
+/// lies across their ends more often.
+const BANDS: usize = 2;
 
 /// So many threads.
 pub(super) fn pool(threads: NonZeroUsize) -> Result<rayon::ThreadPool, TargetError> {

@@ -1,5 +1,7 @@
 //! Frames that ask what is hidden before they draw it.
 
+use std::time::{Duration, Instant};
+
 use halfplane::simd::{self, BatchOrder, MeshletScratch, Occlusion, Visibility, draw_batches};
 use halfplane::{
     Depth, DepthRange, DepthTest, HierarchicalDepth, Ids, NO_ID, Standard, State, Statistics, Viewport,
@@ -64,7 +66,8 @@ impl<'m> Occluded<'m> {
         Ok(draw_batches(level, batches, meshlets, rows, *viewport, order, scratch, 0, state, &mut both)?)
     }
 
-    /// What can be seen of boxes, each between two corners, behind the last frame's depths.
+    /// What can be seen of boxes, each between two corners, behind the last frame's depths: asked so many times, and how
+    /// long each took. The first time looks at all depths; later ones find their ranges known.
     ///
     /// # Errors
     ///
@@ -75,12 +78,18 @@ impl<'m> Occluded<'m> {
         matrix: &Matrix,
         boxes: &[[[f32; 3]; 2]],
         answers: &mut [Visibility],
-    ) -> Result<(), TargetError> {
+        passes: u32,
+    ) -> Result<Vec<Duration>, TargetError> {
         let (region, depths) = (self.state.scissor, self.depths.as_mut_slice());
         let mut depth =
             HierarchicalDepth::<Standard>::new(region, depths, &mut self.ranges, DepthTest::LESS)?;
         let rows = rows_of(matrix);
-        Ok(simd::ask(level, boxes, &rows, &self.viewport, &self.state, &mut depth, answers)?)
+        let mut pass = || {
+            let started = Instant::now();
+            simd::ask(level, boxes, &rows, &self.viewport, &self.state, &mut depth, answers)?;
+            Ok(started.elapsed())
+        };
+        (0..passes).map(|_| pass()).collect()
     }
 
     /// The depths in rows from the top.
