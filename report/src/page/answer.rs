@@ -99,6 +99,9 @@ fn legend(answer: &Answer) -> String {
     html
 }
 
+/// Letters of a note that stands in the table; longer ones stand below it.
+const LONGEST_NOTE: usize = 40;
+
 fn table(answer: &Answer, scene: &str) -> String {
     let question = &answer.question;
     let has_bytes = answer.rows.iter().any(|row| row.bytes.is_some());
@@ -128,6 +131,8 @@ fn table(answer: &Answer, scene: &str) -> String {
     }
     html.push_str("</tr></thead>\n<tbody>\n");
     let front = answer.front();
+    // Notes that would make a column too wide, or rows too tall.
+    let mut below = Vec::new();
     for (place, row) in answer.rows.iter().enumerate() {
         let (class, star) = if front.contains(&place) { (" class=\"front\"", " ★") } else { ("", "") };
         let _ = write!(
@@ -156,10 +161,39 @@ fn table(answer: &Answer, scene: &str) -> String {
             None => html.push_str("<td>–</td><td>–</td><td>–</td><td>–</td><td>–</td>"),
         }
         if has_notes {
-            let _ = write!(html, "<td class=\"note\">{}</td>", escaped(&row.note));
+            let is_long = row.note.chars().count() > LONGEST_NOTE;
+            if is_long {
+                below.push(row.note.as_str());
+            }
+            let place = format!("[{}]", below.len());
+            let note = if is_long { &place } else { &row.note };
+            let _ = write!(html, "<td class=\"note\">{}</td>", escaped(note));
         }
         html.push_str("</tr>\n");
     }
     html.push_str("</tbody>\n</table>\n</div>\n");
+    for (place, note) in below.into_iter().enumerate() {
+        let _ = writeln!(html, "<p class=\"note\">[{}] {}</p>", place + 1, escaped(note));
+    }
     html
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::row::tests::answer;
+
+    #[test]
+    fn long_notes_stand_below_the_table() {
+        let mut answer = answer();
+        let long = "no such <format>, and so nothing that could be measured at all";
+        answer.rows[0].note = long.to_owned();
+        answer.rows[2].note = long.replace("nothing", "not a thing");
+        let html = table(&answer, "a scene");
+        let (inside, below) = html.split_once("</table>").unwrap();
+        assert!(inside.contains("<td class=\"note\">[1]</td>") && inside.contains(">[2]</td>"), "{inside}");
+        assert!(inside.contains("not there</td>") && !inside.contains("could be measured"), "{inside}");
+        assert!(below.contains("[1] no such &lt;format&gt;, and so nothing"), "{below}");
+        assert!(below.contains("[2] no such &lt;format&gt;, and so not a thing"), "{below}");
+    }
 }
