@@ -2,6 +2,7 @@
 
 mod error;
 mod index;
+mod instances;
 #[cfg(any(kani, test))]
 mod proofs;
 mod state;
@@ -9,6 +10,7 @@ mod statistics;
 
 pub use error::DrawError;
 pub use index::Index;
+pub use instances::instance_of;
 pub use state::State;
 pub use statistics::{CulledCounts, RejectedCounts, Statistics};
 

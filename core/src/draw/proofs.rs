@@ -2,7 +2,7 @@
 
 use super::{
     CulledCounts, DrawError, Index, RejectedCounts, State, Statistics, bounds, check_draw, check_indices,
-    draw, statistics::add,
+    draw, instance_of, statistics::add,
 };
 use crate::{
     attachments::{Count, Coverage, NO_ID, OutsideAttachment},
@@ -254,5 +254,23 @@ prove! {
         assert!((drawn == 0) == (count.samples == 0) && count.samples <= 16);
         cover!(drawn == 1);
         cover!(drawn == 0);
+    }
+
+    /// An id is of the last draw that begins at it or before, and of its triangle that far on.
+    #[kani::unwind(5)]
+    [instance_of]
+    fn ids_are_of_the_last_draw_before(ids: [u32; 4], count: usize = 0..=4, id: u32) {
+        if ids[0] > ids[1] || ids[1] > ids[2] || ids[2] > ids[3] {
+            return;
+        }
+        let ids = &ids[..count];
+        match instance_of(ids, id) {
+            Some((instance, triangle)) => {
+                assert!(ids[instance] <= id && triangle == id - ids[instance]);
+                assert!(instance + 1 == count || ids[instance + 1] > id);
+            }
+            None => assert!(id == NO_ID || count == 0 || ids[0] > id),
+        }
+        cover!(count == 4 && ids[1] == ids[2] && ids[2] < id);
     }
 }

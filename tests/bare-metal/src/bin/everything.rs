@@ -31,6 +31,8 @@ fn numbers() -> u64 {
         + snapped as u64
         + blocks(input(21), input(22)) as u64
         + texels(input(23), input(24)) as u64
+        + halfplane::draw::instance_of(&[input(25), input(26)], input(27))
+            .map_or(0, |(at, id)| at as u64 + u64::from(id))
 }
 
 fn by_hand() -> Option<u64> {
