@@ -237,7 +237,7 @@ prove! {
 
     /// An edge touches a rectangle of pixels by its largest E, as it does a pixel.
     [accepts]
-    fn rectangles_of_standard_are_touched_by_an_edge(
+    fn slow_rectangles_of_standard_are_touched_by_an_edge(
         ends: [[i32; 2]; 2] = [[-STANDARD; 2]; 2]..=[[STANDARD; 2]; 2],
         given: [u32; 4] = [0; 4]..=[Standard::MAX_TARGET; 4],
         half: bool,

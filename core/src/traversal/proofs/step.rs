@@ -121,7 +121,7 @@ prove! {
 
     /// The same with the rules of conservative coverage, at the corners of pixels: what is touched.
     [Step::over, corner_steps]
-    fn touching_is_decided_by_its_corners(
+    fn slow_touching_is_decided_by_its_corners(
         ends: [i32; 4] = magnitudes(Bounds::<Standard>::GUARD_BAND),
         half: bool,
         block: [u32; 2] = [0; 2]..=[Standard::MAX_TARGET / 4 - 1; 2],
@@ -132,7 +132,7 @@ prove! {
 
     /// And what is inside.
     [Step::over, corner_steps]
-    fn containing_is_decided_by_its_corners(
+    fn slow_containing_is_decided_by_its_corners(
         ends: [i32; 4] = magnitudes(Bounds::<Standard>::GUARD_BAND),
         half: bool,
         block: [u32; 2] = [0; 2]..=[Standard::MAX_TARGET / 4 - 1; 2],
@@ -143,7 +143,7 @@ prove! {
 
     /// The same for the small format.
     [Step::over, corner_steps]
-    fn small_touching_is_decided_by_its_corners(
+    fn slow_small_touching_is_decided_by_its_corners(
         ends: [i32; 4] = magnitudes(Bounds::<Small>::GUARD_BAND),
         half: bool,
         block: [u32; 2] = [0; 2]..=[Small::MAX_TARGET / 4 - 1; 2],
