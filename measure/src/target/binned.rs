@@ -9,6 +9,7 @@ use halfplane::{
 use rayon::prelude::*;
 
 use super::banded::pool;
+use super::buffers::{depth_rows, id_rows};
 use super::{TargetError, rows_of};
 use crate::Matrix;
 use crate::buffer::Buffer;
@@ -105,12 +106,7 @@ impl<'m> Binned<'m> {
     /// None that a target can have.
     pub fn rows(&mut self) -> Result<[Vec<u32>; 2], TargetError> {
         let region = self.state.scissor;
-        let mut depths = vec![0; region.width() as usize * region.height() as usize];
-        let mut ids = depths.clone();
-        let depth = Depth::<Standard>::new(region, self.depths.as_mut_slice(), DepthTest::LESS)?;
-        depth.to_linear(&mut depths)?;
-        Ids::<Standard>::new(region, self.ids.as_mut_slice())?.to_linear(&mut ids)?;
-        Ok([depths, ids])
+        Ok([depth_rows(region, self.depths.as_mut_slice())?, id_rows(region, self.ids.as_mut_slice())?])
     }
 }
 

@@ -30,6 +30,20 @@ pub(super) trait Visitor {
     fn visit<A: RowAttachment>(self, attachments: &mut A) -> Self::Result;
 }
 
+/// Depths of 32 bits in rows from the top.
+pub(super) fn depth_rows(region: Region<Standard>, texels: &mut [u32]) -> Result<Vec<u32>, TargetError> {
+    let mut rows = vec![FAR32; region.width() as usize * region.height() as usize];
+    Depth::<Standard>::new(region, texels, DepthTest::LESS)?.to_linear(&mut rows)?;
+    Ok(rows)
+}
+
+/// Ids in rows from the top.
+pub(super) fn id_rows(region: Region<Standard>, texels: &mut [u32]) -> Result<Vec<u32>, TargetError> {
+    let mut rows = vec![NO_ID; region.width() as usize * region.height() as usize];
+    Ids::<Standard>::new(region, texels)?.to_linear(&mut rows)?;
+    Ok(rows)
+}
+
 impl Buffers {
     /// None yet.
     #[must_use]
@@ -158,9 +172,7 @@ impl Buffers {
         self.make(attachments);
         let pixels = self.region.width() as usize * self.region.height() as usize;
         if attachments.has_depth32() {
-            let mut rows = vec![FAR32; pixels];
-            self.depth32()?.to_linear(&mut rows)?;
-            return Ok(rows);
+            return depth_rows(self.region, self.depth32.as_mut_slice());
         }
         if attachments.has_depth16() {
             let mut rows = vec![FAR16; pixels];
@@ -180,9 +192,7 @@ impl Buffers {
             return Ok(Vec::new());
         }
         self.make(attachments);
-        let mut rows = vec![NO_ID; self.region.width() as usize * self.region.height() as usize];
-        self.ids()?.to_linear(&mut rows)?;
-        Ok(rows)
+        id_rows(self.region, self.ids.as_mut_slice())
     }
 
     /// A number that two pictures share only if they are the same (FNV-1a, 64 bits).

@@ -4,10 +4,11 @@ use std::time::{Duration, Instant};
 
 use halfplane::simd::{self, BatchOrder, MeshletScratch, Occlusion, Visibility, draw_batches};
 use halfplane::{
-    Depth, DepthRange, DepthTest, HierarchicalDepth, Ids, NO_ID, Standard, State, Statistics, Viewport,
+    DepthRange, DepthTest, HierarchicalDepth, Ids, NO_ID, Standard, State, Statistics, Viewport,
     depth_ranges, texels,
 };
 
+use super::buffers::{depth_rows, id_rows};
 use super::{Clustered, TargetError, rows_of};
 use crate::Matrix;
 use crate::buffer::Buffer;
@@ -98,10 +99,7 @@ impl<'m> Occluded<'m> {
     ///
     /// None that a target can have.
     pub fn depth_rows(&mut self) -> Result<Vec<u32>, TargetError> {
-        let region = self.state.scissor;
-        let mut rows = vec![0; region.width() as usize * region.height() as usize];
-        Depth::<Standard>::new(region, self.depths.as_mut_slice(), DepthTest::LESS)?.to_linear(&mut rows)?;
-        Ok(rows)
+        depth_rows(self.state.scissor, self.depths.as_mut_slice())
     }
 
     /// The ids in rows from the top: places in the clustered list; none where none are drawn.
@@ -110,10 +108,7 @@ impl<'m> Occluded<'m> {
     ///
     /// None that a target can have.
     pub fn id_rows(&mut self) -> Result<Vec<u32>, TargetError> {
-        let region = self.state.scissor;
-        let Some(ids) = &mut self.ids else { return Ok(Vec::new()) };
-        let mut rows = vec![NO_ID; region.width() as usize * region.height() as usize];
-        Ids::<Standard>::new(region, ids.as_mut_slice())?.to_linear(&mut rows)?;
-        Ok(rows)
+        let ids = self.ids.as_mut();
+        ids.map_or(Ok(Vec::new()), |ids| id_rows(self.state.scissor, ids.as_mut_slice()))
     }
 }
