@@ -156,12 +156,23 @@ proptest! {
         for [_, _, _, w] in &both {
             prop_assert!(!w.is_negative());
         }
-        // A cut and its complement have the whole area: nothing is lost and nothing is added.
+        // A cut and its complement have the whole area: nothing is lost and nothing is added. What lies in the plane
+        // is in both.
+        let in_plane = triangle.iter().all(|[_, _, z, _]| *z == 0.0);
+        let twice = if in_plane { integer(2) } else { integer(1) };
         let behind = clip(triangle.map(|[x, y, z, w]| [x, y, -z, w]), Planes::NEAR).unwrap();
-        prop_assert_eq!(doubled_area(&near) + doubled_area(&behind), doubled_area(&whole));
+        prop_assert_eq!(doubled_area(&near) + doubled_area(&behind), doubled_area(&whole) * &twice);
         // The area left by both planes is what the far plane leaves without its part behind the near one.
         let far_and_behind: Vec<_> = cut_behind(&far);
-        prop_assert_eq!(doubled_area(&both) + doubled_area(&far_and_behind), doubled_area(&far));
+        prop_assert_eq!(doubled_area(&both) + doubled_area(&far_and_behind), doubled_area(&far) * &twice);
+    }
+
+    #[test]
+    fn what_lies_in_the_plane_is_on_both_sides(corners in prop::array::uniform3(prop::array::uniform2(-8.0_f32..8.0))) {
+        let triangle = corners.map(|[x, y]| [x, y, 0.0, 1.0]);
+        let whole = clip(triangle, Planes { near: false, far: false }).unwrap();
+        prop_assert_eq!(clip(triangle, Planes::NEAR).unwrap(), whole.clone());
+        prop_assert_eq!(clip(triangle.map(|[x, y, _, w]| [x, y, -0.0, w]), Planes::NEAR).unwrap(), whole);
     }
 
     #[test]
