@@ -16,7 +16,7 @@ fn refused(folder: &Folder, arguments: &[&str], input: &[u8], expected: &[&str])
     assert_eq!(output.status.code(), Some(2), "{arguments:?}: {errors}");
     assert_eq!(errors.lines().count(), 1, "{arguments:?}: {errors}");
     assert!(errors.ends_with('\n') && errors.starts_with("halfplane: "), "{arguments:?}: {errors}");
-    assert_eq!(output.stdout, [], "{arguments:?}");
+    assert_eq!(output.stdout, b"", "{arguments:?}");
     assert_eq!(folder.listing(), before, "{arguments:?}");
     for part in expected {
         assert!(errors.contains(part), "{arguments:?}: no \"{part}\" in {errors}");

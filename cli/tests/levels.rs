@@ -1,38 +1,26 @@
 //! Every level of this machine draws the built-in scene the same, whole and by its stages.
 
-use halfplane::{Cull, Region, Standard, State};
-use halfplane_cli::camera::{self, Hand, Matrix};
+mod common;
+
+use common::{state, view};
 use halfplane_cli::level::{self, Level};
-use halfplane_cli::mesh::Mesh;
-use halfplane_cli::scene;
 use halfplane_cli::target::{Attachments, Prepared, Stage, Target};
 
 const SIZE: (u32, u32) = (97, 55);
 
-fn state() -> State<Standard> {
-    State { cull: Cull::Back, ..State::new(Region::of_size(SIZE.0, SIZE.1).unwrap()) }
-}
-
-fn view() -> (Mesh, Matrix) {
-    let mesh = scene::evening();
-    let request = camera::Request { name: Some(scene::CAMERA.to_owned()), ..Default::default() };
-    let matrix = camera::choose(&request, &scene::cameras(), scene::NAME, &mesh, Hand::Left, SIZE);
-    (mesh, matrix.unwrap())
-}
-
 #[test]
 fn every_level_draws_the_same() {
-    let (mesh, matrix) = view();
+    let (mesh, matrix) = view(SIZE);
     let mirrored = std::array::from_fn(|k| if k % 4 == 0 { -matrix[k] } else { matrix[k] });
     let prepared = Prepared::new(&mesh.positions, &mesh.indices).unwrap();
-    let mut target = Target::new(&mesh.positions, &mesh.indices, &state()).unwrap();
+    let mut target = Target::new(&mesh.positions, &mesh.indices, &state(SIZE)).unwrap();
     for attachments in Attachments::ALL {
         let picture = |target: &mut Target<'_>, level| {
             let statistics = target.frame(level, attachments, &matrix).unwrap();
             let rows = (target.depth_rows(attachments).unwrap(), target.id_rows(attachments).unwrap());
             (statistics, target.covered(attachments), target.fingerprint(attachments), rows)
         };
-        let mut fresh = Target::new(&mesh.positions, &mesh.indices, &state()).unwrap();
+        let mut fresh = Target::new(&mesh.positions, &mesh.indices, &state(SIZE)).unwrap();
         let fallback = picture(&mut fresh, Level::FALLBACK);
         assert!(fallback.1 > 97 * 55 / 2 && fallback.0.drawn > 1000, "{attachments:?}");
         let (depths, ids) = &fallback.3;
@@ -52,8 +40,8 @@ fn every_level_draws_the_same() {
 
 #[test]
 fn a_frame_is_its_stages() {
-    let (mesh, matrix) = view();
-    let mut target = Target::new(&mesh.positions, &mesh.indices, &state()).unwrap();
+    let (mesh, matrix) = view(SIZE);
+    let mut target = Target::new(&mesh.positions, &mesh.indices, &state(SIZE)).unwrap();
     let attachments = Attachments::DepthIds32;
     let prepared = Prepared::new(&mesh.positions, &mesh.indices).unwrap();
     let ways = [None, Some(prepared.meshlets())];

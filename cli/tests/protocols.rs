@@ -51,7 +51,7 @@ fn what_is_allowed_but_beyond_this_program_exits_77() {
     ] {
         let output = folder.feed(&[command], &input);
         assert_eq!(output.status.code(), Some(77), "{command}");
-        assert_eq!(output.stdout, []);
+        assert_eq!(output.stdout, b"");
         assert_eq!(String::from_utf8(output.stderr).unwrap().lines().count(), 1);
     }
 }

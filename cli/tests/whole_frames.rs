@@ -4,28 +4,15 @@ mod common;
 
 use std::num::NonZeroUsize;
 
-use common::Folder;
+use common::{Folder, state, view};
 use gltf::json::{Value, deserialize};
 use halfplane::bins::TileOrder;
-use halfplane::{Cull, Region, Standard, State};
-use halfplane_cli::camera::{self, Hand, Matrix};
+use halfplane_cli::camera::Matrix;
 use halfplane_cli::level;
 use halfplane_cli::mesh::Mesh;
-use halfplane_cli::scene;
 use halfplane_cli::target::{Attachments, Banded, Binned, Clustered, Occluded, Prepared, Target};
 
 const SIZE: (u32, u32) = (203, 117);
-
-fn state() -> State<Standard> {
-    State { cull: Cull::Back, ..State::new(Region::of_size(SIZE.0, SIZE.1).unwrap()) }
-}
-
-fn view() -> (Mesh, Matrix) {
-    let mesh = scene::evening();
-    let request = camera::Request { name: Some(scene::CAMERA.to_owned()), ..Default::default() };
-    let matrix = camera::choose(&request, &scene::cameras(), scene::NAME, &mesh, Hand::Left, SIZE);
-    (mesh, matrix.unwrap())
-}
 
 fn threads(count: usize) -> NonZeroUsize {
     NonZeroUsize::new(count).unwrap()
@@ -34,19 +21,19 @@ fn threads(count: usize) -> NonZeroUsize {
 /// Depths and ids of a plain draw.
 fn plain(mesh: &Mesh, matrix: &Matrix) -> [Vec<u32>; 2] {
     let (attachments, level) = (Attachments::DepthIds32, level::available()[0]);
-    let mut target = Target::new(&mesh.positions, &mesh.indices, &state()).unwrap();
+    let mut target = Target::new(&mesh.positions, &mesh.indices, &state(SIZE)).unwrap();
     target.frame(level, attachments, matrix).unwrap();
     [target.depth_rows(attachments).unwrap(), target.id_rows(attachments).unwrap()]
 }
 
 #[test]
 fn any_number_of_threads_draws_the_same() {
-    let (mesh, matrix) = view();
+    let (mesh, matrix) = view(SIZE);
     let expected = plain(&mesh, &matrix);
     let prepared = Prepared::new(&mesh.positions, &mesh.indices).unwrap();
     for count in 1..=16 {
         for level in [level::available()[0], level::Level::FALLBACK] {
-            let mut target = Banded::new(&prepared, &state(), threads(count), true).unwrap();
+            let mut target = Banded::new(&prepared, &state(SIZE), threads(count), true).unwrap();
             // The second frame must not see the first.
             target.frame(level, &matrix).unwrap();
             target.frame(level, &matrix).unwrap();
@@ -61,7 +48,7 @@ fn any_number_of_threads_draws_the_same() {
 
 #[test]
 fn bins_of_any_size_draw_the_same() {
-    let (mesh, matrix) = view();
+    let (mesh, matrix) = view(SIZE);
     let expected = plain(&mesh, &matrix);
     let (positions, indices) = (&mesh.positions, &mesh.indices);
     let mut rounds = Vec::new();
@@ -71,7 +58,7 @@ fn bins_of_any_size_draw_the_same() {
         (TileOrder::Rows, 3, 500),
         (TileOrder::Hilbert, 1, 0),
     ] {
-        let mut target = Binned::new(positions, indices, &state(), order, threads(count), most).unwrap();
+        let mut target = Binned::new(positions, indices, &state(SIZE), order, threads(count), most).unwrap();
         target.frame(&matrix).unwrap();
         let (statistics, round) = target.frame(&matrix).unwrap();
         assert!(target.rows().unwrap() == expected, "{order:?}, {count} threads, {most} triangles");
@@ -83,12 +70,12 @@ fn bins_of_any_size_draw_the_same() {
 
 #[test]
 fn questions_change_no_depth() {
-    let (mesh, matrix) = view();
+    let (mesh, matrix) = view(SIZE);
     let [depths, _] = plain(&mesh, &matrix);
     let clustered = Clustered::new(&mesh.positions, &mesh.indices).unwrap();
     for level in level::available() {
         for with_ids in [false, true] {
-            let mut target = Occluded::new(&clustered, &state(), with_ids);
+            let mut target = Occluded::new(&clustered, &state(SIZE), with_ids);
             target.frame(level, &matrix).unwrap();
             let (statistics, asked) = target.frame(level, &matrix).unwrap();
             assert!(target.depth_rows().unwrap() == depths, "{}", level.name());

@@ -6,6 +6,11 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
+use halfplane::{Cull, Region, Standard, State};
+use halfplane_cli::camera::{self, Hand, Matrix};
+use halfplane_cli::mesh::Mesh;
+use halfplane_cli::scene;
+
 /// An empty folder for one test.
 pub(crate) struct Folder(PathBuf);
 
@@ -148,3 +153,16 @@ pub(crate) fn gltf_mesh(vertices: &[[f32; 3]], indices: &[u16], nodes: &str, uri
 
 /// The identity as `--matrix` takes it: the model is in clip space already, w = 1.
 pub(crate) const IDENTITY: &str = "1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1";
+
+/// A state that culls back faces, for the built-in scene in a picture of a size.
+pub(crate) fn state((width, height): (u32, u32)) -> State<Standard> {
+    State { cull: Cull::Back, ..State::new(Region::of_size(width, height).unwrap()) }
+}
+
+/// The built-in scene and its first camera's matrix.
+pub(crate) fn view(size: (u32, u32)) -> (Mesh, Matrix) {
+    let mesh = scene::evening();
+    let request = camera::Request { name: Some(scene::CAMERA.to_owned()), ..Default::default() };
+    let matrix = camera::choose(&request, &scene::cameras(), scene::NAME, &mesh, Hand::Left, size);
+    (mesh, matrix.unwrap())
+}

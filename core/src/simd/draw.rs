@@ -42,7 +42,7 @@ impl<'a, I: Index> Triangles<'a, I> {
 /// [`draw`](crate::draw()) of object-space vertices in vector registers of `level`: the same picture,
 /// the same statistics.
 ///
-/// `records` is scratch memory, at least as long as there are vertices. Beside it, a draw takes some 12 KiB of
+/// `records` is scratch memory, at least as long as there are vertices. Beside it, a draw takes some 15 KiB of
 /// stack.
 ///
 /// # Errors

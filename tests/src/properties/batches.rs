@@ -15,8 +15,8 @@ use halfplane::{
     depth_ranges, draw,
     numbers::{DEPTH32_MAX, DEPTH32_MIN},
     simd::{
-        Batch, BatchOrder, Level, Meshlet, MeshletError, MeshletScratch, Occlusion, Visibility, ask, cluster,
-        draw_batches, make_batches, make_meshlets, max_batches, max_meshlets,
+        Batch, BatchOrder, Level, Meshlet, MeshletError, MeshletScratch, Occluder, Occlusion, RowAttachment,
+        Visibility, ask, cluster, draw_batches, make_batches, make_meshlets, max_batches, max_meshlets,
     },
 };
 
@@ -37,6 +37,32 @@ impl Batched {
         let mut batches = vec![Batch::EMPTY; max_batches(count)];
         make_batches(&meshlets, &mut batches)?;
         Ok(Self { indices, meshlets, batches })
+    }
+
+    /// Draws them as a case says.
+    fn draw<A: RowAttachment + Occluder>(
+        &self,
+        level: Level,
+        case: &Case,
+        order: &mut [BatchOrder],
+        scratch: &mut MeshletScratch,
+        attachments: &mut A,
+    ) -> Result<Result<Drawn, DrawError>, Failure> {
+        let (matrix, viewport, state) = (case.model.matrix, viewport(case)?, case.state()?);
+        let (batches, meshlets) = (&self.batches, &self.meshlets);
+        let first_id = case.first_id;
+        Ok(draw_batches(
+            level,
+            batches,
+            meshlets,
+            matrix,
+            viewport,
+            order,
+            scratch,
+            first_id,
+            &state,
+            attachments,
+        ))
     }
 }
 
@@ -115,8 +141,8 @@ fn at_every_level<D: DepthFormat<Standard>>(
     memory: impl Fn(&mut Storage) -> &mut Vec<D::Texel>,
 ) -> Result<Drawn, Failure>
 where
-    for<'a> Depth<'a, Standard, D>: halfplane::simd::RowAttachment,
-    for<'a> HierarchicalDepth<'a, Standard, D>: halfplane::simd::RowAttachment,
+    for<'a> Depth<'a, Standard, D>: RowAttachment,
+    for<'a> HierarchicalDepth<'a, Standard, D>: RowAttachment,
 {
     let (positions, state, region) = (case.positions()?, case.state()?, case.frame.core_region()?);
     let before = Storage::new(region, case.contents);
@@ -133,18 +159,7 @@ where
         let what = format!("{} batches under {test:?}", level.name());
         let mut given = before.clone();
         let mut depth = HierarchicalDepth::<Standard, D>::new(region, memory(&mut given), &mut ranges, test)?;
-        let drawn = draw_batches(
-            level,
-            &batched.batches,
-            &batched.meshlets,
-            case.model.matrix,
-            viewport(case)?,
-            &mut order,
-            &mut scratch,
-            case.first_id,
-            &state,
-            &mut depth,
-        )?;
+        let drawn = batched.draw(level, case, &mut order, &mut scratch, &mut depth)??;
         given.equals(&expected, &what)?;
         add_up(&drawn.0, case.indices.len() / 3)?;
         let rejected = drawn.0.rejected.total() + drawn.0.culled.hidden;
@@ -205,18 +220,7 @@ pub fn ids_of_batches_are_the_nearest(case: &Case) -> Result<Drawn, Failure> {
             HierarchicalDepth::<Standard>::new(region, &mut given.depths, &mut ranges, DepthTest::LESS)?;
         let coverage = Coverage::new(region, &mut given.masks)?;
         let mut all = (depth, (Ids::new(region, &mut given.ids)?, coverage));
-        let drawn = draw_batches(
-            level,
-            &batched.batches,
-            &batched.meshlets,
-            case.model.matrix,
-            viewport(case)?,
-            &mut order,
-            &mut scratch,
-            case.first_id,
-            &state,
-            &mut all,
-        )?;
+        let drawn = batched.draw(level, case, &mut order, &mut scratch, &mut all)??;
         ensure_eq!(given.depths, earlier.depths, "{} depths", level.name());
         for (at, id) in given.ids.iter().enumerate() {
             let (earlier, later) = (earlier.ids[at], later.ids[at]);

@@ -111,7 +111,6 @@ prove! {
 /// What no prover finished: for tests alone.
 #[cfg(test)]
 mod tested {
-    #[allow(clippy::wildcard_imports)]
     use super::*;
 
     prove! {
