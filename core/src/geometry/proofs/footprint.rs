@@ -147,7 +147,11 @@ fn overlaps_by_bounds<F: Format>(given: [[i32; 2]; 3], ends: [u32; 4], half: boo
     let pixels = Extent::of(vertices).touched::<F>(uncertainty(half));
     assert!(bounds == pixels.within(region));
     assert!(bounds.is_some() || overlap == Overlap::Outside);
-    assert!((overlap == Overlap::Within) == (bounds.is_some() && pixels.are_all_in(region)));
+    let ends = ends.map(i64::from);
+    let all = [pixels.x0, pixels.y0].into_iter().zip(ends).all(|(pixel, end)| i64::from(pixel) >= end)
+        && i64::from(pixels.x1) <= ends[2]
+        && i64::from(pixels.y1) <= ends[3];
+    assert!((overlap == Overlap::Within) == (bounds.is_some() && all));
     cover!(overlap == Overlap::Within);
     cover!(bounds.is_none());
 }
