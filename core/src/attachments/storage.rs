@@ -141,12 +141,17 @@ impl<'a, F: Format, T> Tiled<'a, F, T> {
         rest.get_mut(..count).unwrap_or(&mut [])
     }
 
-    /// The blocks in the row at `y`, of those that `part`, of the region, touches.
+    /// The blocks that `part`, of the region, touches, row by row.
     #[inline(always)]
-    pub(super) fn row(&self, part: Region<F>, y: u32) -> &[T] {
-        let Some(first) = self.index(part.x0(), y) else { return &[] };
-        let count = part.width().div_ceil(4) as usize;
-        self.blocks.get(first..first.saturating_add(count)).unwrap_or(&[])
+    pub(super) fn rows(&self, part: Region<F>) -> impl Iterator<Item = &[T]> {
+        let (part, pitch) = (part.blocks(), (self.pitch as usize).max(1));
+        let first = self.index(part.x0(), part.y0()).unwrap_or(usize::MAX);
+        let columns = (part.width() / 4) as usize;
+        let rows = self.blocks.get(first..).unwrap_or(&[]).chunks(pitch).take((part.height() / 4) as usize);
+        rows.map(
+            #[inline(always)]
+            move |row| row.get(..columns).unwrap_or(&[]),
+        )
     }
 
     #[inline]

@@ -198,22 +198,25 @@ impl<'a, F: Format, D: DepthFormat<F>> HierarchicalDepth<'a, F, D> {
     /// The range of a square as it is now.
     #[inline(always)]
     fn look<L: Lanes>(&self, token: L::Token, square: Region<F>, version: u32) -> DepthRange {
-        let first: L = L::splat(token, u32::MAX);
-        let (mut low, mut high) = (first, L::splat(token, 0));
-        let mut y = square.y0();
-        while y < square.y1() {
-            for (block, x) in self.depth.tiled().row(square, y).iter().zip((square.x0()..).step_by(4)) {
-                let texels = D::load::<L>(token, block);
-                let (mut least, mut most) = (texels, texels);
-                if x + 4 > square.x1() || y + 4 > square.y1() {
-                    let inside = L::mask(token, Mask::of_block(square, x, y).0);
-                    least = texels.select(L::splat(token, u32::MAX), inside);
-                    most = texels.select(L::splat(token, 0), inside);
+        let (mut low, mut high): (L, L) = (L::splat(token, u32::MAX), L::splat(token, 0));
+        let whole = square.width() == SQUARE && square.height() == SQUARE;
+        for (row, y) in self.depth.tiled().rows(square).zip((square.y0()..).step_by(4)) {
+            if let (Some(blocks), true) = (row.first_chunk::<{ SQUARE as usize / 4 }>(), whole) {
+                for block in blocks {
+                    let texels = D::load::<L>(token, block);
+                    low = low.select(texels, low.less(texels));
+                    high = texels.select(high, high.less(texels));
                 }
+                continue;
+            }
+            for (block, x) in row.iter().zip((square.x0()..).step_by(4)) {
+                let texels = D::load::<L>(token, block);
+                let inside = L::mask(token, Mask::of_block(square, x, y).0);
+                let least = texels.select(L::splat(token, u32::MAX), inside);
+                let most = texels.select(L::splat(token, 0), inside);
                 low = low.select(least, low.less(least));
                 high = most.select(high, high.less(most));
             }
-            y += 4;
         }
         let (mut lows, mut highs) = ([0; 16], [0; 16]);
         low.store(&mut lows);
@@ -227,16 +230,13 @@ impl<'a, F: Format, D: DepthFormat<F>> HierarchicalDepth<'a, F, D> {
     #[inline(always)]
     fn shows<L: Lanes>(&self, token: L::Token, limit: Limit, square: Region<F>, area: Region<F>) -> bool {
         let Some(part) = square.intersect(area) else { return false };
-        let mut y = part.y0() & !3;
-        while y < part.y1() {
-            let blocks = self.depth.tiled().row(part.blocks(), y);
-            for (block, x) in blocks.iter().zip((part.x0() & !3..).step_by(4)) {
+        for (row, y) in self.depth.tiled().rows(part).zip((part.y0() & !3..).step_by(4)) {
+            for (block, x) in row.iter().zip((part.x0() & !3..).step_by(4)) {
                 let shown = limit.shows::<L>(token, D::load::<L>(token, block));
                 if shown & Mask::of_block(part, x, y).0 != 0 {
                     return true;
                 }
             }
-            y += 4;
         }
         false
     }
