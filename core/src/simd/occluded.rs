@@ -39,7 +39,8 @@ pub struct Occlusion {
     pub batches: u32,
     /// Of these, the hidden ones.
     pub hidden_batches: u32,
-    /// Meshlets of batches that are not hidden, themselves not all outside the frustum.
+    /// Meshlets that were asked about: those of batches that are not hidden, themselves not all outside the frustum,
+    /// as long as answers are "hidden" often enough to be worth it.
     pub meshlets: u32,
     /// Of these, the hidden ones.
     pub hidden_meshlets: u32,
@@ -168,6 +169,28 @@ fn front_to_back<'o>(
     order
 }
 
+/// Whether questions about meshlets are worth their time: each costs, and each answer "hidden" pays for several.
+struct Worth(u32);
+
+impl Worth {
+    /// Questions that go on without an answer "hidden".
+    const NEW: Self = Self(96);
+
+    /// Whether to ask.
+    #[inline(always)]
+    const fn asking(&mut self) -> bool {
+        let asking = self.0 > 0;
+        self.0 = self.0.saturating_sub(1);
+        asking
+    }
+
+    /// A batch or a meshlet was hidden.
+    #[inline(always)]
+    const fn hidden(&mut self) {
+        self.0 = if self.0 + 32 < Self::NEW.0 { self.0 + 32 } else { Self::NEW.0 };
+    }
+}
+
 /// What stays the same in a draw.
 #[derive(Clone, Copy)]
 struct Pass<'a> {
@@ -188,11 +211,13 @@ impl<'a> Pass<'a> {
         attachments: &mut A,
         mut draw: impl FnMut(u32, &'a Meshlet, &mut A, &mut Statistics),
     ) {
+        let mut worth = Worth::NEW;
         for batch in order {
             let members = batch.meshlets(self.meshlets);
             occlusion.batches += 1;
             if self.questions.ask::<L, A>(token, batch.corners(), attachments) != Visibility::Visible {
                 occlusion.hidden_batches += 1;
+                worth.hidden();
                 statistics.culled.hidden += triangles_of(members);
                 continue;
             }
@@ -203,9 +228,14 @@ impl<'a> Pass<'a> {
                     statistics.culled.outside += count;
                     continue;
                 }
+                if !worth.asking() {
+                    draw(number, meshlet, attachments, statistics);
+                    continue;
+                }
                 occlusion.meshlets += 1;
                 if self.questions.ask::<L, A>(token, corners, attachments) != Visibility::Visible {
                     occlusion.hidden_meshlets += 1;
+                    worth.hidden();
                     statistics.culled.hidden += count;
                     continue;
                 }
