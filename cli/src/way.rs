@@ -121,7 +121,7 @@ impl Way {
             Self::Bins(threads) => {
                 let order = TileOrder::Rows;
                 let mut target = Binned::new(positions, indices, &state, order, *threads, BINNED)?;
-                let (statistics, _) = target.frame(matrix)?;
+                let (statistics, _) = target.frame(level, matrix)?;
                 let [depth, ids] = target.rows()?;
                 Ok(Rows { depth, ids, statistics })
             }

@@ -18,7 +18,7 @@ fn allowed(module: &str) -> Option<Vec<&'static str>> {
         // Above `draw`, and beside `transform`.
         "bins" => Some(ORDER.to_vec()),
         // Above all others, if it is there: no layer may know of it.
-        "simd" => Some(ORDER.into_iter().chain(["transform"]).collect()),
+        "simd" => Some(ORDER.into_iter().chain(["transform", "bins"]).collect()),
         _ => ORDER.iter().position(|&layer| layer == module).map(|place| ORDER[..place].to_vec()),
     }
 }

@@ -74,8 +74,9 @@ impl Part {
 }
 
 /// The files and folders of the core, and what their code does.
-const FILES: [(&str, Option<Part>); 43] = [
+const FILES: [(&str, Option<Part>); 44] = [
     ("simd/vertex", Some(Part::Transform)),
+    ("simd/binned.rs", Some(Part::Cull)),
     ("simd/batch", Some(Part::Cull)),
     ("simd/cluster", Some(Part::Cull)),
     ("simd/occluded", Some(Part::Cull)),

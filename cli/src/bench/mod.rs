@@ -132,7 +132,7 @@ impl<'m> WholeFrame<'m> {
                 let (statistics, occlusion) = target.frame(level, matrix)?;
                 (Some(statistics), Some(occlusion))
             }
-            Self::Bins(target) => (Some(target.frame(matrix)?.0), None),
+            Self::Bins(target) => (Some(target.frame(level, matrix)?.0), None),
             Self::Bands(target) => {
                 target.frame(level, matrix)?;
                 (None, None)

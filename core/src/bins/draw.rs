@@ -5,9 +5,9 @@ use crate::{
     attachments::{Attachment, Block, OutsideAttachment},
     draw::{self, DrawError, Index, State, Statistics},
     geometry::{Assembly, Positions, Region, Triangle},
-    lanes::ArrayLanes,
+    lanes::{ArrayLanes, Lanes},
     numbers::Format,
-    traversal::{TILE, fill, walk},
+    traversal::{Mask, TILE, fill, walk},
 };
 use core::sync::atomic::Ordering;
 
@@ -44,12 +44,43 @@ where
     I: Index,
     A: Attachment<F>,
 {
+    draw_binned_with::<ArrayLanes, F, P, I, A>(
+        (),
+        bins,
+        positions,
+        indices,
+        first_id,
+        state,
+        order,
+        attachments,
+    )
+}
+
+/// [`draw_binned`] with other lanes; the same pixels and statistics.
+#[expect(clippy::too_many_arguments, reason = "those of draw_binned, and where lanes come from")]
+pub(crate) fn draw_binned_with<L, F, P, I, A>(
+    token: L::Token,
+    bins: &mut Bins<'_, F>,
+    positions: &P,
+    indices: &[I],
+    first_id: u32,
+    state: &State<F>,
+    order: TileOrder,
+    attachments: &mut A,
+) -> Result<BinnedDraw, DrawError>
+where
+    L: Lanes,
+    F: Format,
+    P: Positions<F> + ?Sized,
+    I: Index,
+    A: Attachment<F>,
+{
     let mut triangles = draw::check_indices(indices, positions.count())?;
     let area = bins.check(positions, triangles.len(), first_id, state)?;
     draw::check_draw(positions, triangles.len(), first_id, state, attachments)?;
     let mut drawn = BinnedDraw::default();
     if !bins.is_empty() {
-        bins.draw(bins.region(), order, attachments)?;
+        bins.draw_with::<L, A>(token, bins.region(), order, attachments)?;
         bins.finish();
     }
     let mut id = first_id;
@@ -62,7 +93,8 @@ where
         if bins.is_empty() {
             // Culled to the last, or too large for the memory.
             if let Some((first, rest)) = triangles.split_first() {
-                drawn.statistics += draw::draw(positions, first, id, state, attachments)?;
+                drawn.statistics +=
+                    draw::draw_with::<L, F, P, I, A>(token, positions, first, id, state, attachments)?;
                 drawn.unbinned += 1;
                 id = id.saturating_add(1);
                 triangles = rest;
@@ -70,7 +102,7 @@ where
             continue;
         }
         if let Some(area) = area {
-            bins.draw(area, order, attachments)?;
+            bins.draw_with::<L, A>(token, area, order, attachments)?;
         }
         drawn.statistics += bins.finish();
         drawn.rounds += 1;
@@ -92,16 +124,38 @@ impl<F: Format> Bins<'_, F> {
         order: TileOrder,
         attachments: &mut A,
     ) -> Result<(), OutsideAttachment> {
+        self.draw_with::<ArrayLanes, A>((), part, order, attachments)
+    }
+
+    /// [`draw`](Self::draw) with other lanes; the same pixels.
+    pub(crate) fn draw_with<L: Lanes, A: Attachment<F>>(
+        &self,
+        token: L::Token,
+        part: Region<F>,
+        order: TileOrder,
+        attachments: &mut A,
+    ) -> Result<(), OutsideAttachment> {
         let Some(part) = part.intersect(self.region) else { return Ok(()) };
         attachments.check(part)?;
         let (left, top) = (part.x0() / TILE, part.y0() / TILE);
         for (column, row) in order.tiles(columns(part), rows(part)) {
-            self.draw_tile(left + column, top + row, part, attachments);
+            L::vectorize(
+                token,
+                #[inline(always)]
+                || self.draw_tile::<L, A>(token, [left + column, top + row], part, attachments),
+            );
         }
         Ok(())
     }
 
-    fn draw_tile<A: Attachment<F>>(&self, column: u32, row: u32, part: Region<F>, attachments: &mut A) {
+    #[inline(always)]
+    fn draw_tile<L: Lanes, A: Attachment<F>>(
+        &self,
+        token: L::Token,
+        [column, row]: [u32; 2],
+        part: Region<F>,
+        attachments: &mut A,
+    ) {
         let (x, y) = (TILE * column, TILE * row);
         let Some(tile) = part.cut(x, y, x + TILE, y + TILE) else { return };
         for entry in self.lists.entries(self.place(column, row)) {
@@ -110,20 +164,22 @@ impl<F: Format> Bins<'_, F> {
             let Some(bounds) = tile.cut(x0, y0, x1, y1) else { continue };
             let Some(triangle) = Triangle::new(waiting.vertices, self.sample) else { continue };
             let mut begun = false;
-            let visit = |x, y, mask| {
-                if !begun {
-                    begun = true;
-                    attachments.begin(&triangle);
-                }
-                attachments.block(&Block { x, y, mask, triangle: &triangle, id: waiting.id });
-            };
-            if entry as usize >= MAX_TRIANGLES {
-                fill(bounds, visit);
-            } else {
-                // The bounds end at a scissor, maybe, in the midst of a block.
-                walk::<ArrayLanes, F>((), &triangle, bounds, bounds, visit);
-            }
-            if begun {
+            let drawn = blocks_of::<L, F>(
+                token,
+                &triangle,
+                bounds,
+                entry as usize >= MAX_TRIANGLES,
+                #[inline(always)]
+                |x, y, mask| {
+                    if !begun {
+                        begun = true;
+                        attachments.begin(&triangle);
+                    }
+                    let block = Block { x, y, mask, triangle: &triangle, id: waiting.id };
+                    attachments.block_with::<L>(token, &block);
+                },
+            );
+            if drawn {
                 waiting.drawn.store(true, Ordering::Relaxed);
             }
         }
@@ -147,4 +203,21 @@ impl<F: Format> Bins<'_, F> {
         self.count = 0;
         statistics
     }
+}
+
+/// Visits a triangle's blocks in `bounds`, which it covers as a whole, or maybe not. Whether there are any.
+#[inline(always)]
+fn blocks_of<L: Lanes, F: Format>(
+    token: L::Token,
+    triangle: &Triangle<F>,
+    bounds: Region<F>,
+    covers: bool,
+    visit: impl FnMut(u32, u32, Mask),
+) -> bool {
+    if covers {
+        fill(bounds, visit);
+        return true;
+    }
+    // The bounds end at a scissor, maybe, in the midst of a block.
+    walk::<L, F>(token, triangle, bounds, bounds, visit)
 }

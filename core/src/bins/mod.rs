@@ -12,6 +12,8 @@ mod order;
 mod proofs;
 
 pub use add::Added;
+#[cfg(feature = "simd")]
+pub(crate) use draw::draw_binned_with;
 pub use draw::{BinnedDraw, draw_binned};
 pub use lists::{BinChunk, BinTile};
 pub use order::TileOrder;

@@ -48,6 +48,7 @@
 mod any;
 mod attachment;
 mod batch;
+mod binned;
 mod blocks;
 mod cluster;
 mod cull;
@@ -75,6 +76,7 @@ mod windows;
 pub use any::draw_any;
 pub use attachment::RowAttachment;
 pub use batch::{Batch, make_batches, max_batches};
+pub use binned::{draw_binned, draw_bins};
 pub use cluster::cluster;
 pub use draw::{Triangles, draw, draw_meshlets};
 pub use hierarchical::Occluder;

@@ -1,20 +1,17 @@
 //! Frames drawn by several threads, each a band of the picture at a time.
 
 use std::num::NonZeroUsize;
+use std::time::{Duration, Instant};
 
 use halfplane::simd::{MeshletScratch, draw_meshlets};
 use halfplane::{Depth, DepthTest, Ids, NO_ID, Region, Standard, State, Viewport, texels};
-use rayon::prelude::*;
 
 use super::buffers::{depth_rows, id_rows};
+use super::split::Split;
 use super::{Prepared, TargetError, rows_of};
 use crate::Matrix;
 use crate::buffer::Buffer;
 use crate::level::Level;
-
-/// Bands for each thread: those who are done early take another's. More of them share the work better, and draw what
-/// lies across their ends more often.
-const BANDS: usize = 2;
 
 /// So many threads.
 pub(super) fn pool(threads: NonZeroUsize) -> Result<rayon::ThreadPool, TargetError> {
@@ -30,8 +27,10 @@ pub struct Banded<'m> {
     viewport: Viewport<Standard>,
     depths: Buffer<u32>,
     ids: Option<Buffer<u32>>,
-    /// Rows of pixels in a band, a multiple of 4.
-    band: u32,
+    split: Split,
+    /// One for each band.
+    scratch: Vec<MeshletScratch>,
+    /// All but the one that calls.
     threads: rayon::ThreadPool,
 }
 
@@ -48,16 +47,17 @@ impl<'m> Banded<'m> {
         with_ids: bool,
     ) -> Result<Self, TargetError> {
         let (width, height) = (state.scissor.width(), state.scissor.height());
-        let bands = if threads.get() == 1 { 1 } else { threads.get().saturating_mul(BANDS) };
-        let band = (height as usize).div_ceil(bands).next_multiple_of(16) as u32;
+        let split = Split::even(height, threads.get());
+        let others = NonZeroUsize::new(split.count() - 1).unwrap_or(NonZeroUsize::MIN);
         Ok(Self {
             prepared,
             state: *state,
             viewport: Viewport::new(state.scissor),
             depths: Buffer::new(texels(width, height), u32::MAX),
             ids: with_ids.then(|| Buffer::new(texels(width, height), NO_ID)),
-            band,
-            threads: pool(threads)?,
+            scratch: vec![MeshletScratch::NEW; split.count()],
+            split,
+            threads: pool(others)?,
         })
     }
 
@@ -67,27 +67,17 @@ impl<'m> Banded<'m> {
     ///
     /// [`TargetError`] where the rasterizer refuses; if not the first time, then never.
     pub fn frame(&mut self, level: Level, matrix: &Matrix) -> Result<(), TargetError> {
-        let Self { prepared, state, viewport, depths, ids, band, threads } = self;
+        let Self { prepared, state, viewport, depths, ids, split, scratch, threads } = self;
         let (area, rows) = (state.scissor, rows_of(matrix));
-        let texels = texels(area.width(), *band);
-        let bands: Vec<(u32, &mut [u32])> =
-            (area.y0()..).step_by(*band as usize).zip(depths.as_mut_slice().chunks_mut(texels)).collect();
-        let ids: Vec<Option<&mut [u32]>> = match ids {
-            Some(ids) => ids.as_mut_slice().chunks_mut(texels).map(Some).collect(),
-            None => bands.iter().map(|_| None).collect(),
-        };
-        let draw = |scratch: &mut Box<MeshletScratch>,
-                    ((y, depths), ids): ((u32, &mut [u32]), Option<&mut [u32]>)| {
-            let end = area.y1().min(y + *band);
-            // Not empty: there is storage for a row of it.
-            let Ok(region) = Region::new(area.x0(), y, area.x1(), end) else { return Ok(()) };
-            let state = State { scissor: region, ..*state };
-            let mut depth = Depth::<Standard>::new(region, depths, DepthTest::LESS)?;
+        let draw = |band: &mut Band<'_>| -> Result<Duration, TargetError> {
+            let started = Instant::now();
+            let state = State { scissor: band.region, ..*state };
+            let mut depth = Depth::<Standard>::new(band.region, band.depths, DepthTest::LESS)?;
             depth.clear(u32::MAX);
-            let meshlets = prepared.meshlets();
-            match ids {
+            let (meshlets, scratch) = (prepared.meshlets(), &mut *band.scratch);
+            match &mut band.ids {
                 Some(ids) => {
-                    let mut ids = Ids::new(region, ids)?;
+                    let mut ids = Ids::new(band.region, ids)?;
                     ids.clear();
                     let mut both = (&mut depth, &mut ids);
                     draw_meshlets(level, meshlets, rows, *viewport, scratch, 0, &state, &mut both)?;
@@ -96,9 +86,35 @@ impl<'m> Banded<'m> {
                     draw_meshlets(level, meshlets, rows, *viewport, scratch, 0, &state, &mut depth)?;
                 }
             }
-            Ok(())
+            Ok(started.elapsed())
         };
-        threads.install(|| bands.into_par_iter().zip(ids).try_for_each_init(Box::default, draw))
+        let mut bands = Vec::with_capacity(split.count());
+        let mut depths = depths.as_mut_slice();
+        let mut ids = ids.as_mut().map(Buffer::as_mut_slice);
+        for (band, scratch) in split.bands().zip(scratch) {
+            let own = texels(area.width(), band.len() as u32);
+            let region = Region::new(area.x0(), area.y0() + band.start, area.x1(), area.y0() + band.end);
+            bands.push(Band {
+                // As the picture is not empty, nor is a part of it.
+                region: region.unwrap_or(area),
+                depths: depths.split_off_mut(..own).unwrap_or_default(),
+                ids: ids.as_mut().and_then(|ids| ids.split_off_mut(..own)),
+                scratch,
+                drawn: Ok(Duration::ZERO),
+            });
+        }
+        let (first, others) = bands.split_first_mut().unzip();
+        threads.in_place_scope(|scope| {
+            for band in others.into_iter().flatten() {
+                scope.spawn(|_| band.drawn = draw(band));
+            }
+            if let Some(band) = first {
+                band.drawn = draw(band);
+            }
+        });
+        let times: Result<Vec<_>, _> = bands.into_iter().map(|band| band.drawn).collect();
+        split.learn(&times?);
+        Ok(())
     }
 
     /// The depths in rows from the top.
@@ -119,4 +135,14 @@ impl<'m> Banded<'m> {
         let ids = self.ids.as_mut();
         ids.map_or(Ok(Vec::new()), |ids| id_rows(self.state.scissor, ids.as_mut_slice()))
     }
+}
+
+/// A thread's part of a frame.
+struct Band<'a> {
+    region: Region<Standard>,
+    depths: &'a mut [u32],
+    ids: Option<&'a mut [u32]>,
+    scratch: &'a mut MeshletScratch,
+    /// How long it took.
+    drawn: Result<Duration, TargetError>,
 }

@@ -3,8 +3,9 @@
 use std::num::NonZeroUsize;
 
 use halfplane::bins::{BinChunk, BinTile, BinnedTriangle, Bins, TileOrder, bin_tiles};
+use halfplane::simd::{draw_any, draw_bins};
 use halfplane::{
-    Depth, DepthTest, Ids, ModelPositions, NO_ID, Region, Standard, State, Statistics, Viewport, draw, texels,
+    Depth, DepthTest, Ids, ModelPositions, NO_ID, Region, Standard, State, Statistics, Viewport, texels,
 };
 use rayon::prelude::*;
 
@@ -13,6 +14,7 @@ use super::buffers::{depth_rows, id_rows};
 use super::{TargetError, rows_of};
 use crate::Matrix;
 use crate::buffer::Buffer;
+use crate::level::Level;
 
 /// Rows of pixels that one thread draws at a time: a row of tiles.
 const BAND: u32 = 64;
@@ -69,7 +71,7 @@ impl<'m> Binned<'m> {
     /// # Errors
     ///
     /// [`TargetError`] where the rasterizer refuses; if not the first time, then never.
-    pub fn frame(&mut self, matrix: &Matrix) -> Result<(Statistics, u32), TargetError> {
+    pub fn frame(&mut self, level: Level, matrix: &Matrix) -> Result<(Statistics, u32), TargetError> {
         let Self { positions, indices, state, order, tiles, chunks, triangles, depths, ids, threads } = self;
         let area = state.scissor;
         Depth::<Standard>::new(area, depths.as_mut_slice(), DepthTest::LESS)?.clear(u32::MAX);
@@ -87,12 +89,12 @@ impl<'m> Binned<'m> {
                 if let Some((one, next)) = rest.split_first_chunk::<3>() {
                     let depth = Depth::<Standard>::new(area, depths.as_mut_slice(), DepthTest::LESS)?;
                     let mut both = (depth, Ids::new(area, ids.as_mut_slice())?);
-                    statistics += draw(&positions, one, id, state, &mut both)?;
+                    statistics += draw_any(level, &positions, one, id, state, &mut both)?;
                     (rest, id) = (next, id + 1);
                 }
                 continue;
             }
-            draw_bands(&bins, *order, threads, depths.as_mut_slice(), ids.as_mut_slice())?;
+            draw_bands(level, &bins, *order, threads, depths.as_mut_slice(), ids.as_mut_slice())?;
             statistics += bins.finish();
             rounds += 1;
         }
@@ -112,6 +114,7 @@ impl<'m> Binned<'m> {
 
 /// Draws what waits, each thread a row of tiles at a time.
 fn draw_bands(
+    level: Level,
     bins: &Bins<'_, Standard>,
     order: TileOrder,
     threads: &rayon::ThreadPool,
@@ -130,7 +133,7 @@ fn draw_bands(
             };
             let depth = Depth::<Standard>::new(band, depths, DepthTest::LESS)?;
             let mut both = (depth, Ids::new(band, ids)?);
-            Ok(bins.draw(band, order, &mut both).map_err(halfplane::DrawError::from)?)
+            Ok(draw_bins(level, bins, band, order, &mut both).map_err(halfplane::DrawError::from)?)
         })
     })
 }

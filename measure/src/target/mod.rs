@@ -9,6 +9,7 @@ mod clustered;
 mod error;
 mod occluded;
 mod prepared;
+mod split;
 
 use std::hint::black_box;
 

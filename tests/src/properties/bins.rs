@@ -4,7 +4,7 @@ use crate::{Failure, ensure, ensure_eq, failure::Verdict, shapes::Random};
 use halfplane::{
     Attachment, Count, Coverage, D16, Depth, DepthTest, DrawError, Format, Ids, NO_ID, Positions, Region,
     State, Statistics, StorageError,
-    bins::{Added, BinChunk, BinTile, BinnedTriangle, Bins, TileOrder, bin_tiles, draw_binned},
+    bins::{Added, BinChunk, BinTile, BinnedDraw, BinnedTriangle, Bins, TileOrder, bin_tiles, draw_binned},
     blocks, draw, texels,
 };
 
@@ -117,7 +117,7 @@ pub fn binned_is_immediate<F: Format, P: Positions<F> + ?Sized>(
         let mut bins = memory.bins(region)?;
         let mut given = Picture::new(region);
         let drawn = given.paint(region, |all| {
-            Ok(draw_binned(&mut bins, positions, indices, first_id, state, order, all)?)
+            draw_anyhow(&mut random, &mut bins, positions, indices, first_id, state, order, all)
         })?;
         ensure_eq!(drawn.statistics, wanted, "{what}");
         ensure!(given == expected, "{what}: another picture");
@@ -133,6 +133,43 @@ pub fn binned_is_immediate<F: Format, P: Positions<F> + ?Sized>(
         ensure!(given == expected, "{what}, by steps: another picture");
     }
     Ok(met)
+}
+
+/// A draw through bins, at any level.
+#[expect(clippy::too_many_arguments, reason = "what a draw needs")]
+fn draw_anyhow<F: Format, P: Positions<F> + ?Sized, A: Attachment<F>>(
+    random: &mut Random,
+    bins: &mut Bins<'_, F>,
+    positions: &P,
+    indices: &[u32],
+    first_id: u32,
+    state: &State<F>,
+    order: TileOrder,
+    all: &mut A,
+) -> Result<BinnedDraw, Failure> {
+    #[cfg(feature = "simd")]
+    if let Some(level) = super::simd::levels().nth(random.below(6)) {
+        use halfplane::simd;
+        return Ok(simd::draw_binned(level, bins, positions, indices, first_id, state, order, all)?);
+    }
+    let _ = random;
+    Ok(draw_binned(bins, positions, indices, first_id, state, order, all)?)
+}
+
+/// A part of what waits, at any level.
+fn part_anyhow<F: Format, A: Attachment<F>>(
+    random: &mut Random,
+    bins: &Bins<'_, F>,
+    part: Region<F>,
+    order: TileOrder,
+    all: &mut A,
+) -> Result<(), Failure> {
+    #[cfg(feature = "simd")]
+    if let Some(level) = super::simd::levels().nth(random.below(6)) {
+        return Ok(halfplane::simd::draw_bins(level, bins, part, order, all)?);
+    }
+    let _ = random;
+    Ok(bins.draw(part, order, all)?)
 }
 
 /// Adds and draws in turns, the target in parts that share no pixel.
@@ -170,7 +207,7 @@ fn by_steps<F: Format, P: Positions<F> + ?Sized, A: Attachment<F>>(
             for side in
                 sides.map(|[x0, x1]| Region::<F>::new(x0, part.y0(), x1, part.y1())).into_iter().flatten()
             {
-                bins.draw(side, order, attachments)?;
+                part_anyhow(random, bins, side, order, attachments)?;
             }
         }
         let empty = bins.is_empty();
