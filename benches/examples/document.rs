@@ -11,16 +11,19 @@ use std::process::ExitCode;
 use clap::Parser;
 use halfplane_benches::breakdown::table;
 use halfplane_benches::document::{self, data::Data, figures, tables};
-use halfplane_benches::options::{default_csv, in_target, root};
+use halfplane_benches::options::{default_csv, in_target, root, whole_frames_csv};
 use halfplane_benches::record;
 
-/// Writes the tables and plots of docs/performance.md from the CSV files of `cargo bench` (compare) and of the
+/// Writes the tables and plots of docs/performance.md from the CSV files of `cargo bench` (compare and whole_frames) and of the
 /// example breakdown. What was not measured keeps the table it has.
 #[derive(Debug, Parser)]
 struct Arguments {
     /// The comparison [default: target/halfplane-benches.csv]
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
+    /// The whole frames [default: target/halfplane-whole-frames.csv]
+    #[arg(long, value_name = "FILE")]
+    whole: Option<PathBuf>,
     /// The breakdown [default: target/halfplane-breakdown.csv]
     #[arg(long, value_name = "FILE")]
     breakdown: Option<PathBuf>,
@@ -41,12 +44,17 @@ fn main() -> ExitCode {
 
 fn run(arguments: &Arguments) -> Result<(), String> {
     let records = record::read(&arguments.csv.clone().unwrap_or_else(default_csv));
+    let whole = record::read(&arguments.whole.clone().unwrap_or_else(whole_frames_csv));
     let breakdown = arguments.breakdown.clone().unwrap_or_else(|| in_target("halfplane-breakdown.csv"));
     let stages = table::read(&breakdown);
-    for reason in [records.as_ref().err(), stages.as_ref().err()].into_iter().flatten() {
+    for reason in [records.as_ref().err(), whole.as_ref().err(), stages.as_ref().err()].into_iter().flatten() {
         println!("SKIPPED: {reason}");
     }
-    let data = Data { records: records.unwrap_or_default(), stages: stages.unwrap_or_default() };
+    let data = Data {
+        records: records.unwrap_or_default(),
+        whole: whole.unwrap_or_default(),
+        stages: stages.unwrap_or_default(),
+    };
     let path = arguments.document.clone().unwrap_or_else(|| root().join("docs/performance.md"));
     let mut text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
     for (name, table) in tables::ALL {

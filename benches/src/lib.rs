@@ -9,6 +9,7 @@
 //! | [`peers`] | other crates on the same triangles |
 //! | [`limits`] | what the machine can do at best |
 //! | [`contest`] | one view: everybody in turns |
+//! | [`whole`] | one view in ways of drawing whole frames |
 //! | [`quoted`] | figures of programs that are not crates, measured elsewhere |
 //! | [`machine`] | what was measured on |
 //! | [`report`], [`record`] | what was measured, as tables and as CSV |
@@ -16,7 +17,7 @@
 //! | [`plots`] | plots as SVG, from plain numbers |
 //! | [`document`] | the tables and plots of `docs/performance.md` |
 //!
-//! Programs: the benchmarks `compare`, `stages` and `micro`, and the examples `instructions`, whose
+//! Programs: the benchmarks `compare`, `whole_frames`, `stages` and `micro`, and the examples `instructions`, whose
 //! instructions are counted by `.ci/instructions`, `breakdown` and `document`.
 
 #![forbid(unsafe_code)]
@@ -34,3 +35,4 @@ pub mod quoted;
 pub mod record;
 pub mod report;
 pub mod scenes;
+pub mod whole;

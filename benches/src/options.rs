@@ -112,6 +112,12 @@ pub fn default_csv() -> PathBuf {
     in_target("halfplane-benches.csv")
 }
 
+/// Where `whole_frames` writes its CSV, unless told otherwise.
+#[must_use]
+pub fn whole_frames_csv() -> PathBuf {
+    in_target("halfplane-whole-frames.csv")
+}
+
 fn seconds(text: &str) -> Result<Duration, String> {
     let seconds = text.parse().map_err(|_| format!("{text:?} is not a number of seconds"))?;
     Duration::try_from_secs_f64(seconds).map_err(|error| error.to_string())

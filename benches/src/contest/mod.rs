@@ -30,6 +30,8 @@ pub enum Kind {
     Ours,
     /// The rasterizer with meshlets that were made beforehand.
     OursMeshlets,
+    /// The rasterizer in another way of drawing whole frames.
+    OursWhole,
     /// The rasterizer on the triangles that 2D crates are given.
     OursVisible,
     /// A crate that draws the mesh from object space.
@@ -126,14 +128,15 @@ fn meshlets_name(level: Level, attachments: Attachments) -> String {
 const WITH_MESHLETS: [Attachments; 2] = [MAIN, Attachments::Depth16];
 
 /// Contenders, and what is known of them before they are timed.
-struct Field<'a> {
-    rows: Vec<Row>,
-    contenders: Vec<Contender<'a>>,
+#[derive(Default)]
+pub(crate) struct Field<'a> {
+    pub(crate) rows: Vec<Row>,
+    pub(crate) contenders: Vec<Contender<'a>>,
 }
 
 impl<'a> Field<'a> {
     /// Draws the first frame, and enters the contender with a plan for frames of that length.
-    fn enter(&mut self, row: Row, plan: Plan, mut frame: Frame<'a>) {
+    pub(crate) fn enter(&mut self, row: Row, plan: Plan, mut frame: Frame<'a>) {
         let started = Instant::now();
         frame(0);
         let plan = plan.for_frames_of(started.elapsed());
@@ -160,7 +163,7 @@ pub fn run(view: &View, prepared: Option<&Prepared>, options: &Options) -> Resul
         *peers.borrow_mut() = ready(view, &visible);
     }
 
-    let mut field = Field { rows: Vec::new(), contenders: Vec::new() };
+    let mut field = Field::default();
     enter_limits(&mut field, view, options.plan, &unit, &same_size, &target);
     let row = Row {
         contender: String::new(),

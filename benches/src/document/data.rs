@@ -9,6 +9,8 @@ use crate::record::Record;
 pub struct Data {
     /// Of the comparison.
     pub records: Vec<Record>,
+    /// Of the whole frames.
+    pub whole: Vec<Record>,
     /// Of the breakdown.
     pub stages: Vec<Row>,
 }

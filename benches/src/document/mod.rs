@@ -6,6 +6,7 @@ pub mod figures;
 mod markdown;
 pub mod tables;
 mod targets;
+mod whole;
 
 /// Puts `body` between the markers of `name`, in place of what is there.
 ///

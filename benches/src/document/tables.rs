@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::data::Data;
 use super::markdown::{cell, head, markdown};
-use super::targets;
+use super::{targets, whole};
 use crate::breakdown::Part;
 use crate::contest::Kind;
 use crate::peers;
@@ -14,7 +14,7 @@ use crate::quoted;
 pub type Table = fn(&Data) -> Option<String>;
 
 /// The tables, by the names of their markers, in the document's order.
-pub const ALL: [(&str, Table); 18] = [
+pub const ALL: [(&str, Table); 19] = [
     ("machine", machine),
     ("comparison", comparison),
     ("times", times),
@@ -33,6 +33,7 @@ pub const ALL: [(&str, Table); 18] = [
     ("limits", limits),
     ("peers", about_peers),
     ("quoted", targets::all_quoted),
+    ("whole-frames", whole::frames),
 ];
 
 fn machine(data: &Data) -> Option<String> {

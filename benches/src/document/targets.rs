@@ -23,12 +23,12 @@ const LARGE: f64 = 10_000.0;
 const EXPONENT: f64 = 1.1;
 
 /// Whether a figure that should be small is, and by what factor.
-fn at_most(value: f64, target: f64) -> String {
+pub(super) fn at_most(value: f64, target: f64) -> String {
     verdict(target / value)
 }
 
 /// The same for one that should be large.
-fn at_least(value: f64, target: f64) -> String {
+pub(super) fn at_least(value: f64, target: f64) -> String {
     verdict(value / target)
 }
 
@@ -36,7 +36,7 @@ fn verdict(better: f64) -> String {
     if better >= 1.0 { format!("met, {better:.2}×") } else { format!("**missed, {:.2}×**", 1.0 / better) }
 }
 
-fn or_dash(text: Option<String>) -> String {
+pub(super) fn or_dash(text: Option<String>) -> String {
     text.unwrap_or_else(|| "–".to_owned())
 }
 
@@ -315,7 +315,7 @@ mod tests {
             outcome("pixels 10^6", 1_000_000, vec![limit.clone(), ours("depth", 1.2)]),
             outcome("pixels 10^4", 10_000, vec![limit, ours("depth", 1.2)]),
         ];
-        Data { records: records(&outcomes, ""), stages: Vec::new() }
+        Data { records: records(&outcomes, ""), ..Data::default() }
     }
 
     #[track_caller]
