@@ -31,6 +31,8 @@ mod setup;
 mod shapes;
 #[cfg(feature = "simd")]
 mod simd;
+#[cfg(feature = "simd")]
+mod spheres;
 mod statistics;
 mod storage;
 mod transform;

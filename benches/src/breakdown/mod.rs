@@ -74,10 +74,11 @@ impl Part {
 }
 
 /// The files and folders of the core, and what their code does.
-const FILES: [(&str, Option<Part>); 43] = [
+const FILES: [(&str, Option<Part>); 45] = [
     ("simd/vertex", Some(Part::Transform)),
     ("simd/batch", Some(Part::Cull)),
     ("simd/cluster", Some(Part::Cull)),
+    ("simd/volume", Some(Part::Cull)),
     ("simd/occluded", Some(Part::Cull)),
     ("simd/questions", Some(Part::Cull)),
     ("simd/sort", Some(Part::Cull)),
@@ -105,6 +106,7 @@ const FILES: [(&str, Option<Part>); 43] = [
     ("simd/mod", None),
     ("transform/frustum", Some(Part::Cull)),
     ("transform/bound", Some(Part::Cull)),
+    ("transform/sphere", Some(Part::Cull)),
     ("transform/", Some(Part::Transform)),
     ("geometry/positions", Some(Part::Transform)),
     ("geometry/facing", Some(Part::Cull)),

@@ -69,6 +69,7 @@ mod setup;
 mod sort;
 mod source;
 mod vertex;
+mod volume;
 mod window;
 mod windows;
 
@@ -83,4 +84,5 @@ pub use meshlet::{Meshlet, MeshletError, make_meshlets, max_meshlets};
 pub use occluded::{BatchOrder, Occlusion, draw_batches};
 pub use questions::{Visibility, ask};
 pub use vertex::Snapped;
+pub use volume::Volume;
 pub use window::MeshletScratch;

@@ -191,7 +191,7 @@ impl<'a> Pass<'a> {
         for batch in order {
             let members = batch.meshlets(self.meshlets);
             occlusion.batches += 1;
-            if self.questions.ask::<L, A>(token, batch.corners(), attachments) != Visibility::Visible {
+            if self.questions.ask::<L, _, A>(token, batch.corners(), attachments) != Visibility::Visible {
                 occlusion.hidden_batches += 1;
                 statistics.culled.hidden += triangles_of(members);
                 continue;
@@ -204,7 +204,7 @@ impl<'a> Pass<'a> {
                     continue;
                 }
                 occlusion.meshlets += 1;
-                if self.questions.ask::<L, A>(token, corners, attachments) != Visibility::Visible {
+                if self.questions.ask::<L, _, A>(token, corners, attachments) != Visibility::Visible {
                     occlusion.hidden_meshlets += 1;
                     statistics.culled.hidden += count;
                     continue;

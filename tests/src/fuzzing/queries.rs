@@ -7,7 +7,7 @@ use super::{
 use crate::{
     Failure,
     failure::Verdict,
-    properties::{batches, depth_test::COMPARISONS, hierarchical, simd},
+    properties::{batches, depth_test::COMPARISONS, hierarchical, simd, spheres},
     shapes::Kind,
 };
 use arbitrary::Arbitrary;
@@ -45,7 +45,7 @@ pub fn queries(data: &[u8]) -> Verdict {
                 _ => {
                     let radius = f32::from(*what).exp2() / 1024.0;
                     let center = center.map(f32::from);
-                    batches::spheres_left_out_are_outside(&case, center, radius, u64::from(how[0]))
+                    spheres::spheres_left_out_are_outside(&case, center, radius, u64::from(how[0]))
                         .map(|_| ())
                 }
             }

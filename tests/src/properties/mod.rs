@@ -32,6 +32,8 @@ pub mod shared_edge;
 #[cfg(feature = "simd")]
 pub mod simd;
 pub mod small_edge;
+#[cfg(feature = "simd")]
+pub mod spheres;
 pub mod statistics;
 pub mod storage;
 pub mod transform;
