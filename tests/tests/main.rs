@@ -20,6 +20,8 @@ mod issues;
 mod lanes;
 mod layers;
 #[cfg(feature = "simd")]
+mod lists;
+#[cfg(feature = "simd")]
 mod meshlets;
 mod messages;
 mod named;

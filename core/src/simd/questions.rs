@@ -26,8 +26,9 @@ pub enum Visibility {
 /// of spheres, each a centre and a radius that is not negative, behind what was drawn. Nothing is drawn. "Outside" and
 /// "hidden" are certain: no triangle inside would change a pixel.
 ///
-/// Matrix and viewport are those of [`ModelPositions`](crate::ModelPositions). About a
-/// rectangle of pixels and a depth there is [`HierarchicalDepth::hides`](crate::HierarchicalDepth::hides).
+/// Matrix and viewport are those of [`ModelPositions`](crate::ModelPositions). About triangles there is
+/// [`ask_triangles`](super::ask_triangles); about a rectangle of pixels and a depth,
+/// [`HierarchicalDepth::hides`](crate::HierarchicalDepth::hides).
 ///
 /// # Errors
 ///

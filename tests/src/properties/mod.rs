@@ -22,6 +22,8 @@ pub mod fast_triangles;
 pub mod hierarchical;
 pub mod lanes;
 #[cfg(feature = "simd")]
+pub mod lists;
+#[cfg(feature = "simd")]
 pub mod meshlets;
 pub mod neighbours;
 pub mod numbers;
