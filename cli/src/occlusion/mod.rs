@@ -7,6 +7,7 @@ use std::fmt;
 use std::path::Path;
 use std::time::Duration;
 
+use halfplane::D32;
 use halfplane::simd::{Occlusion, Visibility};
 use halfplane_reference::{Compare, DepthSpec, render as reference_render};
 
@@ -58,7 +59,7 @@ pub fn run_occlusion(file: Option<&Path>, options: &Options) -> Result<bool, Err
     let clustered = Clustered::new(&mesh.positions, &mesh.indices)?;
     let boxes: Vec<_> = clustered.meshlets().iter().map(halfplane::simd::Meshlet::corners_of_box).collect();
 
-    let mut target = Occluded::new(&clustered, &state, true);
+    let mut target = Occluded::<D32>::new(&clustered, &state, true);
     let (statistics, asked) = target.frame(level, &matrix)?;
     let mut answers = vec![Visibility::default(); boxes.len()];
     let times = target.ask(level, &matrix, &boxes, &mut answers, PASSES)?;
@@ -83,7 +84,7 @@ pub fn run_occlusion(file: Option<&Path>, options: &Options) -> Result<bool, Err
 
     let mut plain = Target::new(&mesh.positions, clustered.indices(), &state)?;
     plain.set_meshlets(Some(clustered.meshlets()));
-    let mut queried = Occluded::new(&clustered, &state, false);
+    let mut queried = Occluded::<D32>::new(&clustered, &state, false);
     let frames: [Frame<'_>; 2] = [
         Box::new(|_| drop(queried.frame(level, &matrix))),
         Box::new(|_| drop(plain.frame(level, Attachments::Depth32, &matrix))),

@@ -2,8 +2,8 @@
 
 use std::num::NonZeroUsize;
 
-use halfplane::simd::{MeshletScratch, draw_meshlets};
-use halfplane::{Depth, DepthTest, Ids, NO_ID, Region, Standard, State, Viewport, texels};
+use halfplane::simd::{MeshletScratch, RowAttachment, draw_meshlets};
+use halfplane::{D32, Depth, DepthFormat, DepthTest, Ids, NO_ID, Region, Standard, State, Viewport, texels};
 use rayon::prelude::*;
 
 use super::buffers::{depth_rows, id_rows};
@@ -24,18 +24,21 @@ pub(super) fn pool(threads: NonZeroUsize) -> Result<rayon::ThreadPool, TargetErr
 
 /// What such a frame needs beside the matrix: depth, and ids where they are asked for.
 #[derive(Debug)]
-pub struct Banded<'m> {
+pub struct Banded<'m, D: DepthFormat<Standard> = D32> {
     prepared: &'m Prepared,
     state: State<Standard>,
     viewport: Viewport<Standard>,
-    depths: Buffer<u32>,
+    depths: Buffer<D::Texel>,
     ids: Option<Buffer<u32>>,
     /// Rows of pixels in a band, a multiple of 4.
     band: u32,
     threads: rayon::ThreadPool,
 }
 
-impl<'m> Banded<'m> {
+impl<'m, D: DepthFormat<Standard, Texel: Send>> Banded<'m, D>
+where
+    for<'a> Depth<'a, Standard, D>: RowAttachment,
+{
     /// For a mesh's meshlets and so many threads; the picture is the state's scissor.
     ///
     /// # Errors
@@ -54,7 +57,7 @@ impl<'m> Banded<'m> {
             prepared,
             state: *state,
             viewport: Viewport::new(state.scissor),
-            depths: Buffer::new(texels(width, height), u32::MAX),
+            depths: Buffer::new(texels(width, height), D::FAR),
             ids: with_ids.then(|| Buffer::new(texels(width, height), NO_ID)),
             band,
             threads: pool(threads)?,
@@ -70,20 +73,20 @@ impl<'m> Banded<'m> {
         let Self { prepared, state, viewport, depths, ids, band, threads } = self;
         let (area, rows) = (state.scissor, rows_of(matrix));
         let texels = texels(area.width(), *band);
-        let bands: Vec<(u32, &mut [u32])> =
+        let bands: Vec<(u32, &mut [D::Texel])> =
             (area.y0()..).step_by(*band as usize).zip(depths.as_mut_slice().chunks_mut(texels)).collect();
         let ids: Vec<Option<&mut [u32]>> = match ids {
             Some(ids) => ids.as_mut_slice().chunks_mut(texels).map(Some).collect(),
             None => bands.iter().map(|_| None).collect(),
         };
         let draw = |scratch: &mut Box<MeshletScratch>,
-                    ((y, depths), ids): ((u32, &mut [u32]), Option<&mut [u32]>)| {
+                    ((y, depths), ids): ((u32, &mut [D::Texel]), Option<&mut [u32]>)| {
             let end = area.y1().min(y + *band);
             // Not empty: there is storage for a row of it.
             let Ok(region) = Region::new(area.x0(), y, area.x1(), end) else { return Ok(()) };
             let state = State { scissor: region, ..*state };
-            let mut depth = Depth::<Standard>::new(region, depths, DepthTest::LESS)?;
-            depth.clear(u32::MAX);
+            let mut depth = Depth::<Standard, D>::new(region, depths, DepthTest::LESS)?;
+            depth.clear(D::FAR);
             let meshlets = prepared.meshlets();
             match ids {
                 Some(ids) => {
@@ -107,7 +110,7 @@ impl<'m> Banded<'m> {
     ///
     /// None that a target can have.
     pub fn depth_rows(&mut self) -> Result<Vec<u32>, TargetError> {
-        depth_rows(self.state.scissor, self.depths.as_mut_slice())
+        depth_rows::<D>(self.state.scissor, self.depths.as_mut_slice())
     }
 
     /// The ids in rows from the top; none where none are drawn.
