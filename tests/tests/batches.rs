@@ -40,6 +40,7 @@ impl Asked {
         self.0.set(Occlusion {
             batches: sum.batches + more.batches,
             hidden_batches: sum.hidden_batches + more.hidden_batches,
+            facing_meshlets: sum.facing_meshlets + more.facing_meshlets,
             meshlets: sum.meshlets + more.meshlets,
             hidden_meshlets: sum.hidden_meshlets + more.hidden_meshlets,
         });

@@ -6,6 +6,8 @@ mod batches;
 mod bins;
 mod bounds;
 mod clipping;
+#[cfg(feature = "simd")]
+mod cones;
 mod conservative;
 #[cfg(feature = "simd")]
 mod corpus;

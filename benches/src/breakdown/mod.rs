@@ -74,10 +74,11 @@ impl Part {
 }
 
 /// The files and folders of the core, and what their code does.
-const FILES: [(&str, Option<Part>); 46] = [
+const FILES: [(&str, Option<Part>); 47] = [
     ("simd/vertex", Some(Part::Transform)),
     ("simd/batch", Some(Part::Cull)),
     ("simd/cluster", Some(Part::Cull)),
+    ("simd/cone", Some(Part::Cull)),
     ("simd/lists", Some(Part::Cull)),
     ("simd/volume", Some(Part::Cull)),
     ("simd/occluded", Some(Part::Cull)),

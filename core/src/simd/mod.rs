@@ -50,6 +50,7 @@ mod attachment;
 mod batch;
 mod blocks;
 mod cluster;
+mod cone;
 mod cull;
 mod draw;
 mod extent;

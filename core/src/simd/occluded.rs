@@ -3,6 +3,7 @@
 use super::{
     attachment::RowAttachment,
     batch::Batch,
+    cone::Facing,
     cull::Culling,
     fetch::Records,
     hierarchical::Occluder,
@@ -39,7 +40,9 @@ pub struct Occlusion {
     pub batches: u32,
     /// Of these, the hidden ones.
     pub hidden_batches: u32,
-    /// Meshlets of batches that are not hidden, themselves not all outside the frustum.
+    /// Meshlets of batches that are not hidden, all of whose triangles face the culled way: nothing was asked.
+    pub facing_meshlets: u32,
+    /// Other meshlets of batches that are not hidden, themselves not all outside the frustum.
     pub meshlets: u32,
     /// Of these, the hidden ones.
     pub hidden_meshlets: u32,
@@ -50,10 +53,13 @@ pub struct Occlusion {
 /// less time where much is hidden. With ids, of two triangles at the same depth another one may win, as the order
 /// is another.
 ///
+/// Where a face is culled, meshlets [whose triangles face much the same way](Meshlet::has_cone) are left out unseen if
+/// that is the culled one for all of them, however they are snapped; these are counted as facing it.
+///
 /// Depths are looked at as far as they are written, and vector registers draw several meshlets at a time: which of
 /// them are hidden is not the same at [`Level::FALLBACK`].
 ///
-/// The triangles left out are counted as [hidden](crate::CulledCounts::hidden), whatever else might be said of
+/// The triangles left out as hidden are counted as [that](crate::CulledCounts::hidden), whatever else might be said of
 /// them. `order` is scratch memory, at least as long as there are batches. For the rest, see `draw_meshlets`.
 ///
 /// # Errors
@@ -106,7 +112,7 @@ pub fn draw_batches<A: RowAttachment + Occluder>(
     statistics.culled.outside = outside;
     let order = order.iter().filter_map(|key| batches.get(key.0 as u32 as usize));
     let questions = Questions { frustum, matrix: &matrix, viewport: &viewport, state, area };
-    let pass = Pass { meshlets, first_id, questions };
+    let pass = Pass { meshlets, first_id, questions, facing: Facing::new(&matrix, &viewport, state) };
     let mut occlusion = Occlusion::default();
     match level.0.filter(|_| attachments.fast()) {
         Some(vectors) => dispatch!(vectors, simd => {
@@ -174,6 +180,8 @@ struct Pass<'a> {
     meshlets: &'a [Meshlet],
     first_id: u32,
     questions: Questions<'a>,
+    /// Where a face is culled.
+    facing: Option<Facing>,
 }
 
 impl<'a> Pass<'a> {
@@ -201,6 +209,11 @@ impl<'a> Pass<'a> {
                 let count = meshlet.corners().len() as u32;
                 if self.questions.frustum.excludes_box(corners) {
                     statistics.culled.outside += count;
+                    continue;
+                }
+                if self.facing.as_ref().is_some_and(|facing| facing.culls(meshlet)) {
+                    occlusion.facing_meshlets += 1;
+                    statistics.culled.facing += count;
                     continue;
                 }
                 occlusion.meshlets += 1;
@@ -248,7 +261,7 @@ impl<S: Simd> Vectors<'_, S> {
     /// Draws what is there.
     #[inline(always)]
     fn flush<A: RowAttachment>(&mut self, attachments: &mut A, statistics: &mut Statistics) {
-        let Pass { meshlets, first_id, questions: Questions { area, state, .. } } = self.pass;
+        let Pass { meshlets, first_id, questions: Questions { area, state, .. }, .. } = self.pass;
         let scratch = &*self.scratch;
         let drawing = Drawing {
             simd: self.simd,

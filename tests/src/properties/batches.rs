@@ -161,7 +161,7 @@ where
         let rejected = drawn.0.rejected.total() + drawn.0.culled.hidden;
         ensure!(rejected >= wanted.rejected.total(), "{what}: {} rejected", drawn.0.rejected.total());
         ensure!(drawn.0.drawn <= wanted.drawn, "{what}: {} drawn of {}", drawn.0.drawn, wanted.drawn);
-        let Occlusion { batches, hidden_batches, meshlets, hidden_meshlets } = drawn.1;
+        let Occlusion { batches, hidden_batches, meshlets, hidden_meshlets, .. } = drawn.1;
         ensure!(hidden_batches <= batches && hidden_meshlets <= meshlets, "{what}: {:?}", drawn.1);
         // Several meshlets at a time are drawn from vectors, so others are hidden than from arrays.
         if level.name() != Level::FALLBACK.name() {

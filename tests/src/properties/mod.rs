@@ -4,6 +4,8 @@
 pub mod batches;
 pub mod bins;
 pub mod clipping;
+#[cfg(feature = "simd")]
+pub mod cones;
 pub mod conservative;
 pub mod coverage;
 pub mod crossing;
