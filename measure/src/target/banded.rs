@@ -16,6 +16,9 @@ use crate::level::Level;
 /// lies across their ends more often.
 const BANDS: usize = 2;
 
+/// A band's first row, its depths and its ids.
+type Band<'b, T> = ((u32, &'b mut [T]), Option<&'b mut [u32]>);
+
 /// So many threads.
 pub(super) fn pool(threads: NonZeroUsize) -> Result<rayon::ThreadPool, TargetError> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build();
@@ -79,8 +82,7 @@ where
             Some(ids) => ids.as_mut_slice().chunks_mut(texels).map(Some).collect(),
             None => bands.iter().map(|_| None).collect(),
         };
-        let draw = |scratch: &mut Box<MeshletScratch>,
-                    ((y, depths), ids): ((u32, &mut [D::Texel]), Option<&mut [u32]>)| {
+        let draw = |scratch: &mut Box<MeshletScratch>, ((y, depths), ids): Band<'_, D::Texel>| {
             let end = area.y1().min(y + *band);
             // Not empty: there is storage for a row of it.
             let Ok(region) = Region::new(area.x0(), y, area.x1(), end) else { return Ok(()) };
