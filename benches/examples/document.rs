@@ -47,7 +47,8 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     let whole = record::read(&arguments.whole.clone().unwrap_or_else(whole_frames_csv));
     let breakdown = arguments.breakdown.clone().unwrap_or_else(|| in_target("halfplane-breakdown.csv"));
     let stages = table::read(&breakdown);
-    for reason in [records.as_ref().err(), whole.as_ref().err(), stages.as_ref().err()].into_iter().flatten() {
+    for reason in [records.as_ref().err(), whole.as_ref().err(), stages.as_ref().err()].into_iter().flatten()
+    {
         println!("SKIPPED: {reason}");
     }
     let data = Data {

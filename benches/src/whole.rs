@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
-use halfplane::{Cull, D16, Region, Standard, State};
+use halfplane::{Cull, D16, D32, Region, Standard, State};
 use halfplane_cli::mesh::Mesh;
 use halfplane_measure::target::{Banded, Clustered, Occluded};
 
@@ -60,9 +60,9 @@ pub fn run(view: &View, last: &mut Last, options: &Options) -> Result<Outcome, S
     let unit = RefCell::new(Limit::new(CLEAR_PIXELS));
     let mut plain = ours::target(view);
     plain.set_meshlets(Some(prepared.meshlets()));
-    let mut queries = Occluded::new(clustered, &state, false);
+    let mut queries = Occluded::<D32>::new(clustered, &state, false);
     let mut small = Occluded::<D16>::new(clustered, &state, false);
-    let mut bands = drawn(Banded::new(prepared, &state, threads, false));
+    let mut bands = drawn(Banded::<D32>::new(prepared, &state, threads, false));
 
     // Twice: the second frame may be divided among threads otherwise.
     for _ in 0..2 {
@@ -93,9 +93,9 @@ pub fn run(view: &View, last: &mut Last, options: &Options) -> Result<Outcome, S
     let matrix = &view.matrix;
     let contenders: [(&str, Kind, Frame<'_>); 5] = [
         ("clear of 1280x720 u32", Kind::Unit, Box::new(|_| unit.borrow_mut().clear())),
-        (PLAIN, Kind::OursWhole, Box::new(|_| drop(drawn(plain.frame(level, Attachments::Depth32, matrix))))),
-        (QUERIES, Kind::OursWhole, Box::new(|_| drop(drawn(queries.frame(level, matrix))))),
-        (D16_QUERIES, Kind::OursWhole, Box::new(|_| drop(drawn(small.frame(level, matrix))))),
+        (PLAIN, Kind::OursWhole, Box::new(|_| _ = drawn(plain.frame(level, Attachments::Depth32, matrix)))),
+        (QUERIES, Kind::OursWhole, Box::new(|_| _ = drawn(queries.frame(level, matrix)))),
+        (D16_QUERIES, Kind::OursWhole, Box::new(|_| _ = drawn(small.frame(level, matrix)))),
         (THREADS, Kind::OursWhole, Box::new(|_| drawn(bands.frame(level, matrix)))),
     ];
     let mut field = Field::default();

@@ -4,7 +4,8 @@ use std::collections::HashMap;
 use std::num::NonZeroUsize;
 
 use halfplane::bins::TileOrder;
-use halfplane::{NO_ID, Statistics};
+use halfplane::simd::RowAttachment;
+use halfplane::{D16, D32, Depth, HierarchicalDepth, NO_ID, Standard, Statistics};
 
 use crate::args::{self, DepthFormat, Options};
 use crate::camera::Matrix;
@@ -43,15 +44,10 @@ impl Way {
     ///
     /// # Errors
     ///
-    /// [`Error::Usage`] for a depth format that the way does not draw; others not for any mesh that was loaded.
+    /// None for any mesh that was loaded.
     pub fn of(mesh: &Mesh, options: &Options) -> Result<Self, Error> {
         let (positions, indices) = (&mesh.positions, &mesh.indices);
         let several = options.threads > NonZeroUsize::MIN;
-        let whole_frame = options.queries || options.binned || several;
-        if whole_frame && options.depth == DepthFormat::D16 {
-            let message = "--depth d16 cannot be used with --queries, --binned or --threads: they draw d32";
-            return Err(Error::Usage(message.to_owned()));
-        }
         Ok(if options.queries {
             Self::Queries(Clustered::new(positions, indices)?)
         } else if options.binned {
@@ -97,6 +93,23 @@ impl Way {
         matrix: &Matrix,
         settings: &Settings,
     ) -> Result<Rows, RenderError> {
+        match settings.depth {
+            DepthFormat::D32 => self.draw_in::<D32>(mesh, matrix, settings),
+            DepthFormat::D16 => self.draw_in::<D16>(mesh, matrix, settings),
+        }
+    }
+
+    /// The same in the settings' depth format.
+    fn draw_in<D: halfplane::DepthFormat<Standard, Texel: Send>>(
+        &self,
+        mesh: &Mesh,
+        matrix: &Matrix,
+        settings: &Settings,
+    ) -> Result<Rows, RenderError>
+    where
+        for<'a> Depth<'a, Standard, D>: RowAttachment,
+        for<'a> HierarchicalDepth<'a, Standard, D>: RowAttachment,
+    {
         let (state, level) = (settings.state(), settings.level);
         let (positions, indices) = (&mesh.positions, &mesh.indices);
         match self {
@@ -109,7 +122,7 @@ impl Way {
                 Ok(Rows { depth, ids: target.id_rows(attachments)?, statistics })
             }
             Self::Queries(clustered) => {
-                let mut target = Occluded::new(clustered, &state, true);
+                let mut target = Occluded::<D>::new(clustered, &state, true);
                 let (statistics, _) = target.frame(level, matrix)?;
                 let mut ids = target.id_rows()?;
                 let numbers = numbers(clustered.indices(), indices);
@@ -120,13 +133,13 @@ impl Way {
             }
             Self::Bins(threads) => {
                 let order = TileOrder::Rows;
-                let mut target = Binned::new(positions, indices, &state, order, *threads, BINNED)?;
+                let mut target = Binned::<D>::new(positions, indices, &state, order, *threads, BINNED)?;
                 let (statistics, _) = target.frame(level, matrix)?;
                 let [depth, ids] = target.rows()?;
                 Ok(Rows { depth, ids, statistics })
             }
             Self::Bands(prepared, threads) => {
-                let mut target = Banded::new(prepared, &state, *threads, true)?;
+                let mut target = Banded::<D>::new(prepared, &state, *threads, true)?;
                 target.frame(level, matrix)?;
                 // A triangle is in several bands: it is counted apart.
                 let mut counted = Target::new(positions, indices, &state)?;

@@ -7,6 +7,7 @@ use std::num::NonZeroUsize;
 use common::{Folder, state, view};
 use gltf::json::{Value, deserialize};
 use halfplane::bins::TileOrder;
+use halfplane::{D16, D32};
 use halfplane_cli::camera::Matrix;
 use halfplane_cli::level;
 use halfplane_cli::mesh::Mesh;
@@ -19,8 +20,8 @@ fn threads(count: usize) -> NonZeroUsize {
 }
 
 /// Depths and ids of a plain draw.
-fn plain(mesh: &Mesh, matrix: &Matrix) -> [Vec<u32>; 2] {
-    let (attachments, level) = (Attachments::DepthIds32, level::available()[0]);
+fn plain(mesh: &Mesh, matrix: &Matrix, attachments: Attachments) -> [Vec<u32>; 2] {
+    let level = level::available()[0];
     let mut target = Target::new(&mesh.positions, &mesh.indices, &state(SIZE)).unwrap();
     target.frame(level, attachments, matrix).unwrap();
     [target.depth_rows(attachments).unwrap(), target.id_rows(attachments).unwrap()]
@@ -29,11 +30,11 @@ fn plain(mesh: &Mesh, matrix: &Matrix) -> [Vec<u32>; 2] {
 #[test]
 fn any_number_of_threads_draws_the_same() {
     let (mesh, matrix) = view(SIZE);
-    let expected = plain(&mesh, &matrix);
+    let expected = plain(&mesh, &matrix, Attachments::DepthIds32);
     let prepared = Prepared::new(&mesh.positions, &mesh.indices).unwrap();
     for count in 1..=16 {
         for level in [level::available()[0], level::Level::FALLBACK] {
-            let mut target = Banded::new(&prepared, &state(SIZE), threads(count), true).unwrap();
+            let mut target = Banded::<D32>::new(&prepared, &state(SIZE), threads(count), true).unwrap();
             // A frame must not see the one before, whose times divide it otherwise.
             for _ in 0..3 {
                 target.frame(level, &matrix).unwrap();
@@ -50,7 +51,7 @@ fn any_number_of_threads_draws_the_same() {
 #[test]
 fn bins_of_any_size_draw_the_same() {
     let (mesh, matrix) = view(SIZE);
-    let expected = plain(&mesh, &matrix);
+    let expected = plain(&mesh, &matrix, Attachments::DepthIds32);
     let (positions, indices) = (&mesh.positions, &mesh.indices);
     let mut rounds = Vec::new();
     for (order, count, most) in [
@@ -59,7 +60,8 @@ fn bins_of_any_size_draw_the_same() {
         (TileOrder::Rows, 3, 500),
         (TileOrder::Hilbert, 1, 0),
     ] {
-        let mut target = Binned::new(positions, indices, &state(SIZE), order, threads(count), most).unwrap();
+        let mut target =
+            Binned::<D32>::new(positions, indices, &state(SIZE), order, threads(count), most).unwrap();
         let mut round = 0;
         for level in level::available() {
             target.frame(level, &matrix).unwrap();
@@ -77,11 +79,11 @@ fn bins_of_any_size_draw_the_same() {
 #[test]
 fn questions_change_no_depth() {
     let (mesh, matrix) = view(SIZE);
-    let [depths, _] = plain(&mesh, &matrix);
+    let [depths, _] = plain(&mesh, &matrix, Attachments::DepthIds32);
     let clustered = Clustered::new(&mesh.positions, &mesh.indices).unwrap();
     for level in level::available() {
         for with_ids in [false, true] {
-            let mut target = Occluded::new(&clustered, &state(SIZE), with_ids);
+            let mut target = Occluded::<D32>::new(&clustered, &state(SIZE), with_ids);
             target.frame(level, &matrix).unwrap();
             let (statistics, asked) = target.frame(level, &matrix).unwrap();
             assert!(target.depth_rows().unwrap() == depths, "{}", level.name());
@@ -89,6 +91,26 @@ fn questions_change_no_depth() {
             assert!(asked.hidden_batches + asked.hidden_meshlets > 0, "{asked:?}");
         }
     }
+}
+
+#[test]
+fn depths_of_16_bits_are_those_of_a_plain_draw() {
+    let (mesh, matrix) = view(SIZE);
+    let expected = plain(&mesh, &matrix, Attachments::DepthIds16);
+    let (positions, indices, best) = (&mesh.positions, &mesh.indices, level::available()[0]);
+    let prepared = Prepared::new(positions, indices).unwrap();
+    let mut bands = Banded::<D16>::new(&prepared, &state(SIZE), threads(2), true).unwrap();
+    bands.frame(best, &matrix).unwrap();
+    assert!([bands.depth_rows().unwrap(), bands.id_rows().unwrap()] == expected, "bands");
+    let order = TileOrder::Rows;
+    let mut bins = Binned::<D16>::new(positions, indices, &state(SIZE), order, threads(2), 500).unwrap();
+    bins.frame(&matrix).unwrap();
+    assert!(bins.rows().unwrap() == expected, "bins");
+    let clustered = Clustered::new(positions, indices).unwrap();
+    let mut queries = Occluded::<D16>::new(&clustered, &state(SIZE), true);
+    let (_, asked) = queries.frame(best, &matrix).unwrap();
+    assert!(queries.depth_rows().unwrap() == expected[0], "queries");
+    assert!(asked.hidden_batches + asked.hidden_meshlets > 0, "{asked:?}");
 }
 
 #[test]
@@ -102,9 +124,13 @@ fn every_way_is_verified() {
         &["--binned", "--threads", "3"],
         &["--queries"],
         &["--queries", "--level", "fallback"],
+        &["--queries", "--cull", "back"],
+        &["--queries", "--cull", "front"],
     ] {
-        let text = folder.succeed(&[&["verify"], &view[..], way].concat());
-        assert!(text.contains("mismatching pixels: 0\n"), "{way:?}: {text}");
+        for depth in ["d32", "d16"] {
+            let text = folder.succeed(&[&["verify", "--depth", depth], &view[..], way].concat());
+            assert!(text.contains("mismatching pixels: 0\n"), "{way:?}, {depth}: {text}");
+        }
     }
     assert_eq!(folder.listing(), Vec::<String>::new());
 }
@@ -158,8 +184,7 @@ fn occlusion_is_judged_and_shown() {
 fn ways_that_do_not_go_together_are_refused() {
     let folder = Folder::new("ways_refused");
     for (arguments, expected) in [
-        (&["render", "--queries", "--depth", "d16"][..], "--depth d16"),
-        (&["verify", "--threads", "2", "--depth", "d16"], "--depth d16"),
+        (&["occlusion", "--depth", "d16"][..], "--depth d16"),
         (&["render", "--threads", "0"], "number of threads"),
         (&["render", "--threads", "2000"], "number of threads"),
         (&["render", "--queries", "--binned"], "cannot be used with"),

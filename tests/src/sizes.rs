@@ -100,6 +100,8 @@ table! {
     BATCH_MANY = 40;
     /// Boxes and spheres against what is in them.
     BOUND = 3_000;
+    /// Meshlets whose triangles face one way.
+    CONES = 1_000;
     /// Edges of large triangles.
     CROSSINGS = 4_000;
     /// Parts of each of the long enumerations.

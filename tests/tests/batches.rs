@@ -1,4 +1,4 @@
-//! Batches, boxes and spheres at every level of this machine.
+//! Batches and boxes at every level of this machine.
 
 use crate::simd::{Met, triangles};
 use halfplane::simd::Occlusion;
@@ -7,7 +7,7 @@ use halfplane_tests::{
         batches::{
             answers_are_certain, batches_are_the_mesh, bounds_of_points_are_tight,
             boxes_bound_what_they_hold, clusters_are_small, clusters_are_the_same_triangles,
-            ids_of_batches_are_the_nearest, short_memory_is_refused, spheres_left_out_are_outside,
+            ids_of_batches_are_the_nearest, short_memory_is_refused,
         },
         simd::Case,
     },
@@ -16,13 +16,16 @@ use halfplane_tests::{
     sizes,
     strategies::numbers,
 };
-use proptest::{array, prelude::*};
+use proptest::prelude::*;
 use std::cell::Cell;
 
 /// Most triangles large, some of them over others, most views from the front.
 const LARGE: [Kind; 5] = [Kind::Medium, Kind::Medium, Kind::AxisAligned, Kind::GuardBand, Kind::Small];
 
-fn case(count: std::ops::RangeInclusive<usize>, kinds: &'static [Kind]) -> impl Strategy<Value = Case> {
+pub(crate) fn case(
+    count: std::ops::RangeInclusive<usize>,
+    kinds: &'static [Kind],
+) -> impl Strategy<Value = Case> {
     (numbers::<12>(), numbers::<10>(), triangles(count))
         .prop_map(|(place, how, triangles)| Case::from_numbers(place, how, &triangles, kinds))
 }
@@ -37,6 +40,7 @@ impl Asked {
         self.0.set(Occlusion {
             batches: sum.batches + more.batches,
             hidden_batches: sum.hidden_batches + more.hidden_batches,
+            facing_meshlets: sum.facing_meshlets + more.facing_meshlets,
             meshlets: sum.meshlets + more.meshlets,
             hidden_meshlets: sum.hidden_meshlets + more.hidden_meshlets,
         });
@@ -131,20 +135,6 @@ fn bounds_of_points_are_a_pixel() {
     check(sizes::BOUND, ([number(), number(), number()], [1..=16384u32, 1..=16384]), |([x, y, z], size)| {
         bounds_of_points_are_tight([x, y, z.abs()], size)
     });
-}
-
-#[test]
-fn spheres_that_are_left_out_are_outside() {
-    let (outside, all) = (Cell::new(0), Cell::new(0));
-    let strategy = (case(0..=2, &Kind::ALL), array::uniform3(-40.0..40.0f32), -10.0..6.0f32, any::<u64>());
-    check(sizes::BOUND, strategy, |(case, center, scale, seed)| {
-        all.set(all.get() + 1);
-        let excluded = spheres_left_out_are_outside(&case, center, scale.exp2(), seed)?;
-        outside.set(outside.get() + u32::from(excluded));
-        Ok(())
-    });
-    println!("{} of {} outside", outside.get(), all.get());
-    assert!((all.get() / 10..all.get() * 19 / 20).contains(&outside.get()));
 }
 
 #[test]

@@ -6,6 +6,8 @@ mod batches;
 mod bins;
 mod bounds;
 mod clipping;
+#[cfg(feature = "simd")]
+mod cones;
 mod conservative;
 #[cfg(feature = "simd")]
 mod corpus;
@@ -20,6 +22,8 @@ mod issues;
 mod lanes;
 mod layers;
 #[cfg(feature = "simd")]
+mod lists;
+#[cfg(feature = "simd")]
 mod meshlets;
 mod messages;
 mod named;
@@ -31,6 +35,8 @@ mod setup;
 mod shapes;
 #[cfg(feature = "simd")]
 mod simd;
+#[cfg(feature = "simd")]
+mod spheres;
 mod statistics;
 mod storage;
 mod transform;

@@ -74,11 +74,14 @@ impl Part {
 }
 
 /// The files and folders of the core, and what their code does.
-const FILES: [(&str, Option<Part>); 44] = [
+const FILES: [(&str, Option<Part>); 48] = [
     ("simd/vertex", Some(Part::Transform)),
     ("simd/binned.rs", Some(Part::Cull)),
     ("simd/batch", Some(Part::Cull)),
     ("simd/cluster", Some(Part::Cull)),
+    ("simd/cone", Some(Part::Cull)),
+    ("simd/lists", Some(Part::Cull)),
+    ("simd/volume", Some(Part::Cull)),
     ("simd/occluded", Some(Part::Cull)),
     ("simd/questions", Some(Part::Cull)),
     ("simd/sort", Some(Part::Cull)),
@@ -106,6 +109,7 @@ const FILES: [(&str, Option<Part>); 44] = [
     ("simd/mod", None),
     ("transform/frustum", Some(Part::Cull)),
     ("transform/bound", Some(Part::Cull)),
+    ("transform/sphere", Some(Part::Cull)),
     ("transform/", Some(Part::Transform)),
     ("geometry/positions", Some(Part::Transform)),
     ("geometry/facing", Some(Part::Cull)),

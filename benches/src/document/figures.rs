@@ -216,7 +216,7 @@ mod tests {
             ms: Some(ms),
         };
         let stages = vec![stage(Part::Cull, 0.25), stage(Part::Depth, 0.5)];
-        let data = Data { records: records(&outcomes, ""), stages };
+        let data = Data { records: records(&outcomes, ""), stages, ..Data::default() };
         let folder = std::env::temp_dir().join(format!("halfplane-figures-{}", std::process::id()));
         fs::create_dir_all(&folder).unwrap();
         let files = draw(&data, &folder).unwrap();

@@ -267,6 +267,7 @@ mod tests {
         };
         Data {
             records: records(&outcomes, "a machine"),
+            whole: records(&[outcome(views[0], crate::whole::PLAIN)], "a machine"),
             stages: vec![stage(Part::Cull, Some(0.25)), stage(Part::Depth, None)],
         }
     }

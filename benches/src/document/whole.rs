@@ -18,7 +18,9 @@ pub(super) fn frames(data: &Data) -> Option<String> {
     let mut names = head(&["view"]);
     names.extend([PLAIN, QUERIES, D16_QUERIES].map(|way| format!("{way}, ms")));
     names.extend([QUERIES, D16_QUERIES].map(|way| format!("{way}, clears")));
-    names.extend(["*raw + queries* ¹", "target, clears", "better of both", THREADS, "speed-up"].map(str::to_owned));
+    names.extend(
+        ["*raw + queries* ¹", "target, clears", "better of both", THREADS, "speed-up"].map(str::to_owned),
+    );
     let mut rows = Vec::new();
     let views = data.whole.iter().filter(|record| record.contender == PLAIN);
     for view in views.map(|record| &*record.view) {
@@ -73,12 +75,8 @@ mod tests {
             row(D16_QUERIES, Kind::OursWhole, 0.84),
             row(THREADS, Kind::OursWhole, 0.45),
         ];
-        let outcome = |view: &str| Outcome {
-            view: view.to_owned(),
-            size: (1280, 720),
-            samples: 1,
-            rows: rows.clone(),
-        };
+        let outcome =
+            |view: &str| Outcome { view: view.to_owned(), size: (1280, 720), samples: 1, rows: rows.clone() };
         let outcomes = [outcome("castle main 1280x720"), outcome("sponza main 1920x1080")];
         let data = Data { whole: records(&outcomes, "here"), ..Data::default() };
         let table = frames(&data).unwrap();

@@ -7,11 +7,11 @@ use std::cell::RefCell;
 use std::hint::black_box;
 use std::time::Duration;
 
-use halfplane::Statistics;
 use halfplane::bins::TileOrder;
-use halfplane::simd::Occlusion;
+use halfplane::simd::{Occlusion, RowAttachment};
+use halfplane::{D16, D32, Depth, DepthFormat, HierarchicalDepth, Standard, Statistics};
 
-use crate::args::{Attachments, Bench};
+use crate::args::{self, Attachments, Bench};
 use crate::camera::Matrix;
 use crate::command::{self, Subject};
 use crate::error::Error;
@@ -85,60 +85,54 @@ pub fn run_bench(arguments: &Bench) -> Result<(), Error> {
     command::print(&if *json { outcome.json() } else { outcome.table() })
 }
 
-/// Frames that are no plain draws.
-enum WholeFrame<'m> {
-    Queries(Occluded<'m>),
-    Bins(Binned<'m>),
-    Bands(Banded<'m>),
-}
+/// A frame that is no plain draw: what became of the triangles, where one thread knows, and what was asked.
+type WholeFrame<'m> =
+    Box<dyn FnMut(Level, &Matrix) -> Result<(Option<Statistics>, Option<Occlusion>), TargetError> + 'm>;
 
-impl<'m> WholeFrame<'m> {
-    /// What a way needs; nothing for plain draws.
-    fn new(
-        way: &'m Way,
-        mesh: &'m Mesh,
-        settings: &Settings,
-        arguments: &Bench,
-    ) -> Result<Option<Self>, Error> {
-        let (state, with_ids) = (settings.state(), arguments.attachments == Attachments::DepthIds);
-        let written = matches!(arguments.attachments, Attachments::Depth | Attachments::DepthIds);
-        let order = if arguments.hilbert { TileOrder::Hilbert } else { TileOrder::Rows };
-        Ok(Some(match way {
-            Way::Triangles | Way::Meshlets(_) => return Ok(None),
-            Way::Bins(_) if !with_ids => {
-                let message = "--binned is measured with depth and ids: add --attachments depth+ids";
-                return Err(Error::Usage(message.to_owned()));
-            }
-            _ if !written => {
-                let message = "--queries and --threads are measured with --attachments depth or depth+ids";
-                return Err(Error::Usage(message.to_owned()));
-            }
-            Way::Queries(clustered) => Self::Queries(Occluded::new(clustered, &state, with_ids)),
-            Way::Bins(threads) => {
-                Self::Bins(Binned::new(&mesh.positions, &mesh.indices, &state, order, *threads, BINNED)?)
-            }
-            Way::Bands(prepared, threads) => Self::Bands(Banded::new(prepared, &state, *threads, with_ids)?),
-        }))
-    }
-
-    /// Draws one; what became of the triangles, where one thread knows, and what was asked.
-    fn frame(
-        &mut self,
-        level: Level,
-        matrix: &Matrix,
-    ) -> Result<(Option<Statistics>, Option<Occlusion>), TargetError> {
-        Ok(match self {
-            Self::Queries(target) => {
+/// The frame of a way; nothing for plain draws.
+fn whole_frame<'m, D: DepthFormat<Standard, Texel: Send>>(
+    way: &'m Way,
+    mesh: &'m Mesh,
+    settings: &Settings,
+    arguments: &Bench,
+) -> Result<Option<WholeFrame<'m>>, Error>
+where
+    for<'a> Depth<'a, Standard, D>: RowAttachment,
+    for<'a> HierarchicalDepth<'a, Standard, D>: RowAttachment,
+{
+    let (state, with_ids) = (settings.state(), arguments.attachments == Attachments::DepthIds);
+    let written = matches!(arguments.attachments, Attachments::Depth | Attachments::DepthIds);
+    let order = if arguments.hilbert { TileOrder::Hilbert } else { TileOrder::Rows };
+    Ok(Some(match way {
+        Way::Triangles | Way::Meshlets(_) => return Ok(None),
+        Way::Bins(_) if !with_ids => {
+            let message = "--binned is measured with depth and ids: add --attachments depth+ids";
+            return Err(Error::Usage(message.to_owned()));
+        }
+        _ if !written => {
+            let message = "--queries and --threads are measured with --attachments depth or depth+ids";
+            return Err(Error::Usage(message.to_owned()));
+        }
+        Way::Queries(clustered) => {
+            let mut target = Occluded::<D>::new(clustered, &state, with_ids);
+            Box::new(move |level, matrix| {
                 let (statistics, occlusion) = target.frame(level, matrix)?;
-                (Some(statistics), Some(occlusion))
-            }
-            Self::Bins(target) => (Some(target.frame(level, matrix)?.0), None),
-            Self::Bands(target) => {
+                Ok((Some(statistics), Some(occlusion)))
+            })
+        }
+        Way::Bins(threads) => {
+            let (positions, indices) = (&mesh.positions, &mesh.indices);
+            let mut target = Binned::<D>::new(positions, indices, &state, order, *threads, BINNED)?;
+            Box::new(move |level, matrix| Ok((Some(target.frame(level, matrix)?.0), None)))
+        }
+        Way::Bands(prepared, threads) => {
+            let mut target = Banded::<D>::new(prepared, &state, *threads, with_ids)?;
+            Box::new(move |level, matrix| {
                 target.frame(level, matrix)?;
-                (None, None)
-            }
-        })
-    }
+                Ok((None, None))
+            })
+        }
+    }))
 }
 
 fn run(subject: &Subject, matrix: &Matrix, settings: &Settings, arguments: &Bench) -> Result<Outcome, Error> {
@@ -150,10 +144,13 @@ fn run(subject: &Subject, matrix: &Matrix, settings: &Settings, arguments: &Benc
     target.set_meshlets(way.meshlets().map(Prepared::meshlets));
     let mut statistics = target.frame(level, attachments, matrix)?;
     let covered = target.covered(attachments);
-    let mut whole = WholeFrame::new(&way, mesh, settings, arguments)?;
+    let mut whole = match settings.depth {
+        args::DepthFormat::D32 => whole_frame::<D32>(&way, mesh, settings, arguments)?,
+        args::DepthFormat::D16 => whole_frame::<D16>(&way, mesh, settings, arguments)?,
+    };
     let mut asked = None;
     if let Some(whole) = &mut whole {
-        let (drawn, occlusion) = whole.frame(level, matrix)?;
+        let (drawn, occlusion) = whole(level, matrix)?;
         statistics = drawn.unwrap_or(statistics);
         asked = occlusion;
     }
@@ -172,7 +169,7 @@ fn run(subject: &Subject, matrix: &Matrix, settings: &Settings, arguments: &Benc
         Box::new(|number| {
             let matrix = motion.as_ref().map_or(*matrix, |motion| motion.at(number));
             match &mut *whole.borrow_mut() {
-                Some(whole) => drop(black_box(whole.frame(level, &matrix))),
+                Some(whole) => drop(black_box(whole(level, &matrix))),
                 None => drop(black_box(target.borrow_mut().frame(level, attachments, &matrix))),
             }
         }),

@@ -87,8 +87,11 @@ impl Outcome {
         let _ = write!(text, ",\"triangles\":{},\"vertices\":{}", self.triangles, self.vertices);
         let _ = write!(text, ",\"drawn\":{},\"covered\":{}", self.statistics.drawn, self.covered);
         let _ = write!(text, ",\"threads\":{}", self.threads);
-        if let Some(Occlusion { batches, hidden_batches, meshlets, hidden_meshlets }) = self.asked {
+        if let Some(Occlusion { batches, hidden_batches, facing_meshlets, meshlets, hidden_meshlets }) =
+            self.asked
+        {
             let _ = write!(text, ",\"batches\":{batches},\"hidden_batches\":{hidden_batches}");
+            let _ = write!(text, ",\"facing_meshlets\":{facing_meshlets}");
             let _ = write!(text, ",\"tested_meshlets\":{meshlets},\"hidden_meshlets\":{hidden_meshlets}");
         }
         if let Some(Preparation { meshlets, ms, bytes }) = self.preparation {
@@ -119,9 +122,10 @@ impl Outcome {
 
 /// What was asked, in a line.
 fn said(asked: &Occlusion) -> String {
-    let Occlusion { batches, hidden_batches, meshlets, hidden_meshlets } = asked;
+    let Occlusion { batches, hidden_batches, facing_meshlets, meshlets, hidden_meshlets } = asked;
     format!(
-        "asked: batches {batches}, hidden {hidden_batches}; meshlets of the others {meshlets}, hidden {hidden_meshlets}"
+        "asked: batches {batches}, hidden {hidden_batches}; meshlets of the others {meshlets}, hidden {hidden_meshlets}; \
+         not asked: {facing_meshlets} facing away"
     )
 }
 

@@ -7,10 +7,11 @@ use std::fmt;
 use std::path::Path;
 use std::time::Duration;
 
+use halfplane::D32;
 use halfplane::simd::{Occlusion, Visibility};
 use halfplane_reference::{Compare, DepthSpec, render as reference_render};
 
-use crate::args::Options;
+use crate::args::{DepthFormat, Options};
 use crate::command;
 use crate::error::Error;
 use crate::measure::protocol::{Contender, Frame, Plan, Summary, measure};
@@ -28,6 +29,8 @@ const PASSES: u32 = 20;
 struct Findings {
     /// Boxes of meshlets.
     occludees: usize,
+    /// Of these, the ones whose triangles face much the same way.
+    cones: usize,
     /// Outside the view.
     outside: usize,
     /// Said to be hidden.
@@ -53,12 +56,15 @@ struct Findings {
 ///
 /// [`Error`] for a mesh, camera or output that is no good.
 pub fn run_occlusion(file: Option<&Path>, options: &Options) -> Result<bool, Error> {
+    if options.depth == DepthFormat::D16 {
+        return Err(Error::Usage("--depth d16 cannot be used with occlusion: it judges by d32".to_owned()));
+    }
     let (subject, matrix, settings) = command::prepare(file, options, &mut |_| ())?;
     let (mesh, state, level) = (&subject.mesh, settings.state(), settings.level);
     let clustered = Clustered::new(&mesh.positions, &mesh.indices)?;
     let boxes: Vec<_> = clustered.meshlets().iter().map(halfplane::simd::Meshlet::corners_of_box).collect();
 
-    let mut target = Occluded::new(&clustered, &state, true);
+    let mut target = Occluded::<D32>::new(&clustered, &state, true);
     let (statistics, asked) = target.frame(level, &matrix)?;
     let mut answers = vec![Visibility::default(); boxes.len()];
     let times = target.ask(level, &matrix, &boxes, &mut answers, PASSES)?;
@@ -83,7 +89,7 @@ pub fn run_occlusion(file: Option<&Path>, options: &Options) -> Result<bool, Err
 
     let mut plain = Target::new(&mesh.positions, clustered.indices(), &state)?;
     plain.set_meshlets(Some(clustered.meshlets()));
-    let mut queried = Occluded::new(&clustered, &state, false);
+    let mut queried = Occluded::<D32>::new(&clustered, &state, false);
     let frames: [Frame<'_>; 2] = [
         Box::new(|_| drop(queried.frame(level, &matrix))),
         Box::new(|_| drop(plain.frame(level, Attachments::Depth32, &matrix))),
@@ -93,6 +99,7 @@ pub fn run_occlusion(file: Option<&Path>, options: &Options) -> Result<bool, Err
     let time = |place: usize| times.get(place).copied().unwrap_or_default();
     let findings = Findings {
         occludees: boxes.len(),
+        cones: clustered.meshlets().iter().filter(|meshlet| meshlet.has_cone()).count(),
         outside: count(Visibility::Outside, None),
         culled: count(Visibility::Hidden, None),
         wrongly: count(Visibility::Hidden, Some(true)) + count(Visibility::Outside, Some(true)),
@@ -134,9 +141,10 @@ pub fn run_occlusion(file: Option<&Path>, options: &Options) -> Result<bool, Err
 
 impl fmt::Display for Findings {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Occlusion { batches, hidden_batches, meshlets, hidden_meshlets } = self.asked;
+        let Occlusion { batches, hidden_batches, facing_meshlets, meshlets, hidden_meshlets } = self.asked;
         let each = self.questions.as_nanos() as f64 / self.occludees.max(1) as f64;
-        let rows: [(&str, String); 10] = [
+        let rows: [(&str, String); 12] = [
+            ("meshlets with a cone of normals", self.cones.to_string()),
             ("occludees: boxes of meshlets", self.occludees.to_string()),
             ("outside the view", self.outside.to_string()),
             ("culled: hidden", self.culled.to_string()),
@@ -144,6 +152,7 @@ impl fmt::Display for Findings {
             ("falsely visible", self.falsely.to_string()),
             ("a question, on average, minimum", format!("{each:.0} ns")),
             ("while drawing: batches asked / hidden", format!("{batches} / {hidden_batches}")),
+            ("while drawing: meshlets that face away", facing_meshlets.to_string()),
             ("while drawing: meshlets asked / hidden", format!("{meshlets} / {hidden_meshlets}")),
             ("while drawing: triangles left out", self.hidden.to_string()),
             (

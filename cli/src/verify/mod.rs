@@ -2,6 +2,8 @@
 
 mod transform;
 
+use std::collections::BTreeMap;
+
 use halfplane::NO_ID;
 use halfplane_reference::{Compare, DepthSpec, Report, Scene, render as reference_render, verify};
 use halfplane_report::snapped::{self, Whole};
@@ -36,16 +38,35 @@ pub fn compare(
     Ok(verify(scene, Compare::Less, spec(picture), &picture.depth, Some(&ids), progress)?)
 }
 
-/// The ids of a picture drawn in another order: where several triangles are at the same depth, those that came last
-/// become those that came first.
+/// The ids of a picture drawn in another order: where several triangles are at the same depth, whichever of them is
+/// there becomes the one that came first.
 fn ordered(scene: &Scene, picture: &Picture) -> Result<Vec<u32>, RenderError> {
-    let exact = |compare| {
+    let exact = |scene: &Scene, compare| {
         reference_render(scene, compare, spec(picture), &|_| ())
             .map_err(|error| RenderError::Verify(error.into()))
     };
-    let (first, last) = (exact(Compare::Less)?, exact(Compare::LessEqual)?);
-    let ids = picture.ids.iter().zip(first.ids.iter().zip(&last.ids));
-    Ok(ids.map(|(&id, (&first, &last))| if id == last { first } else { id }).collect())
+    let (first, last) = (exact(scene, Compare::Less)?, exact(scene, Compare::LessEqual)?);
+    let mut ids = picture.ids.clone();
+    // Those that are neither the first nor the last, by their ids.
+    let mut between: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
+    for (at, (id, (&first, &last))) in ids.iter_mut().zip(first.ids.iter().zip(&last.ids)).enumerate() {
+        if *id == last {
+            *id = first;
+        } else if *id != first && first != last {
+            between.entry(*id).or_default().push(at);
+        }
+    }
+    for (id, places) in between {
+        let triangles = scene.triangles.iter().filter(|triangle| triangle.id == id).copied().collect();
+        let &Scene { width, height, subpixel_bits, sample, .. } = scene;
+        let alone = exact(&Scene { width, height, subpixel_bits, sample, triangles }, Compare::Less)?;
+        for at in places {
+            if alone.ids[at] == id && alone.depth[at] == first.depth[at] {
+                ids[at] = first.ids[at];
+            }
+        }
+    }
+    Ok(ids)
 }
 
 /// A picture of the pixels that differ from the reference: red where the coverage does, yellow where
@@ -134,6 +155,30 @@ mod tests {
                 assert_eq!(colours[drawn[1]], [60, 120, 255]);
                 assert_eq!(colours[drawn[2]], [255, 220, 0]);
                 assert_eq!(colours.iter().filter(|c| c[0] == c[1]).count(), 117);
+            }
+        }
+    }
+
+    #[test]
+    fn of_triangles_at_one_depth_any_may_be_there() {
+        // Four times the same triangle, and one behind.
+        let (same, behind) = ([0, 1, 2].repeat(4), [3, 4, 5]);
+        let mut positions = POSITIONS[..3].to_vec();
+        positions.extend(POSITIONS[..3].iter().map(|&[x, y, z]| [x, y, z + 0.1]));
+        let mesh = Mesh::plain(positions, [same, behind.to_vec()].concat());
+        let clip = to_clip(&mesh, &MATRIX);
+        for depth in [DepthFormat::D32, DepthFormat::D16] {
+            let settings = settings(Cull::None, depth, Level::FALLBACK);
+            let mut picture = render(&mesh, &MATRIX, &settings, &Way::Triangles).unwrap();
+            let (scene, _) = assemble(&clip, &mesh.indices, &settings);
+            let drawn: Vec<usize> = (0..120).filter(|&at| picture.ids[at] == 0).collect();
+            for (given, wrong) in [([3, 0, 1, 2], 0), ([1, 2, 4, 3], 1)] {
+                for (at, id) in drawn.iter().zip(given) {
+                    picture.ids[*at] = id;
+                }
+                picture.ordered = false;
+                let report = compare(&scene, &picture, &|_| ()).unwrap();
+                assert_eq!(report.mismatches.pixels, wrong, "{given:?}: {report}");
             }
         }
     }

@@ -1,6 +1,7 @@
 //! Meshlets: runs of a mesh's triangles with vertices of their own and a box round them, made once per
 //! mesh, so that a draw passes over those outside the view frustum unseen.
 
+use super::cone::{self, Cone};
 use crate::{
     draw::{self, DrawError, Index},
     geometry::{Assembly, Positions, Region, Vertex},
@@ -21,6 +22,8 @@ pub struct Meshlet {
     /// The box round the vertices; not finite where a vertex is not.
     pub(super) low: [f32; 3],
     pub(super) high: [f32; 3],
+    /// What the triangles' normals have in common, if anything.
+    cone: Option<Cone>,
     /// How many vertices and triangles there are.
     vertices: u8,
     triangles: u8,
@@ -30,6 +33,9 @@ pub struct Meshlet {
     pub(super) positions: [[f32; VERTICES]; 3],
     corners: [[u8; 3]; TRIANGLES],
 }
+
+// What there is about it beside vertices and indices fits into its last line.
+const _: () = assert!(size_of::<Meshlet>() == (3 * (4 * VERTICES + TRIANGLES)).next_multiple_of(64) + 64);
 
 /// Meshlets that cannot be made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -151,7 +157,7 @@ impl Builder {
         true
     }
 
-    /// The meshlet, its places without a vertex filled.
+    /// The meshlet, its places without a vertex filled, and the cone of its normals.
     fn finish(&mut self) -> Meshlet {
         let vertices = usize::from(self.meshlet.vertices);
         for axis in &mut self.meshlet.positions {
@@ -160,6 +166,10 @@ impl Builder {
                 *value = last;
             }
         }
+        let meshlet = &self.meshlet;
+        let place = |at: u8| meshlet.position(usize::from(at)).unwrap_or([f32::NAN; 3]);
+        let triangles = meshlet.corners().iter().map(|corners| corners.map(place));
+        self.meshlet.cone = Cone::new(cone::middle(meshlet.corners_of_box()), triangles);
         self.meshlet
     }
 }
@@ -169,6 +179,7 @@ impl Meshlet {
     pub const EMPTY: Self = Self {
         low: [f32::INFINITY; 3],
         high: [f32::NEG_INFINITY; 3],
+        cone: None,
         vertices: 0,
         triangles: 0,
         first: 0,
@@ -194,6 +205,19 @@ impl Meshlet {
     #[must_use]
     pub const fn corners_of_box(&self) -> [[f32; 3]; 2] {
         [self.low, self.high]
+    }
+
+    /// Whether its triangles face much the same way, so that [`draw_batches`](super::draw_batches) can leave them out
+    /// together where they are culled.
+    #[must_use]
+    pub const fn has_cone(&self) -> bool {
+        self.cone.is_some()
+    }
+
+    /// What its triangles' normals have in common.
+    #[inline(always)]
+    pub(super) const fn cone(&self) -> Option<&Cone> {
+        self.cone.as_ref()
     }
 
     /// The numbers of its triangles in the mesh.

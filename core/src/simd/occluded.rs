@@ -3,6 +3,7 @@
 use super::{
     attachment::RowAttachment,
     batch::Batch,
+    cone::Facing,
     cull::Culling,
     fetch::Records,
     hierarchical::Occluder,
@@ -39,8 +40,10 @@ pub struct Occlusion {
     pub batches: u32,
     /// Of these, the hidden ones.
     pub hidden_batches: u32,
-    /// Meshlets that were asked about: those of batches that are not hidden, themselves not all outside the frustum,
-    /// as long as answers are "hidden" often enough to be worth it.
+    /// Meshlets of batches that are not hidden, all of whose triangles face the culled way: nothing was asked.
+    pub facing_meshlets: u32,
+    /// Other meshlets that were asked about: those of batches that are not hidden, themselves not all outside the
+    /// frustum, as long as answers are "hidden" often enough to be worth it.
     pub meshlets: u32,
     /// Of these, the hidden ones.
     pub hidden_meshlets: u32,
@@ -51,10 +54,13 @@ pub struct Occlusion {
 /// less time where much is hidden. With ids, of two triangles at the same depth another one may win, as the order
 /// is another.
 ///
+/// Where a face is culled, meshlets [whose triangles face much the same way](Meshlet::has_cone) are left out unseen if
+/// that is the culled one for all of them, however they are snapped; these are counted as facing it.
+///
 /// Depths are looked at as far as they are written, and vector registers draw several meshlets at a time: which of
 /// them are hidden is not the same at [`Level::FALLBACK`].
 ///
-/// The triangles left out are counted as [hidden](crate::CulledCounts::hidden), whatever else might be said of
+/// The triangles left out as hidden are counted as [that](crate::CulledCounts::hidden), whatever else might be said of
 /// them. `order` is scratch memory, at least as long as there are batches. For the rest, see `draw_meshlets`.
 ///
 /// # Errors
@@ -107,7 +113,7 @@ pub fn draw_batches<A: RowAttachment + Occluder>(
     statistics.culled.outside = outside;
     let order = order.iter().filter_map(|key| batches.get(key.0 as u32 as usize));
     let questions = Questions { frustum, matrix: &matrix, viewport: &viewport, state, area };
-    let pass = Pass { meshlets, first_id, questions };
+    let pass = Pass { meshlets, first_id, questions, facing: Facing::new(&matrix, &viewport, state) };
     let mut occlusion = Occlusion::default();
     match level.0.filter(|_| attachments.fast()) {
         Some(vectors) => dispatch!(vectors, simd => {
@@ -197,6 +203,8 @@ struct Pass<'a> {
     meshlets: &'a [Meshlet],
     first_id: u32,
     questions: Questions<'a>,
+    /// Where a face is culled.
+    facing: Option<Facing>,
 }
 
 impl<'a> Pass<'a> {
@@ -215,7 +223,7 @@ impl<'a> Pass<'a> {
         for batch in order {
             let members = batch.meshlets(self.meshlets);
             occlusion.batches += 1;
-            if self.questions.ask::<L, A>(token, batch.corners(), attachments) != Visibility::Visible {
+            if self.questions.ask::<L, _, A>(token, batch.corners(), attachments) != Visibility::Visible {
                 occlusion.hidden_batches += 1;
                 worth.hidden();
                 statistics.culled.hidden += triangles_of(members);
@@ -228,12 +236,17 @@ impl<'a> Pass<'a> {
                     statistics.culled.outside += count;
                     continue;
                 }
+                if self.facing.as_ref().is_some_and(|facing| facing.culls(meshlet)) {
+                    occlusion.facing_meshlets += 1;
+                    statistics.culled.facing += count;
+                    continue;
+                }
                 if !worth.asking() {
                     draw(number, meshlet, attachments, statistics);
                     continue;
                 }
                 occlusion.meshlets += 1;
-                if self.questions.ask::<L, A>(token, corners, attachments) != Visibility::Visible {
+                if self.questions.ask::<L, _, A>(token, corners, attachments) != Visibility::Visible {
                     occlusion.hidden_meshlets += 1;
                     worth.hidden();
                     statistics.culled.hidden += count;
@@ -278,7 +291,7 @@ impl<S: Simd> Vectors<'_, S> {
     /// Draws what is there.
     #[inline(always)]
     fn flush<A: RowAttachment>(&mut self, attachments: &mut A, statistics: &mut Statistics) {
-        let Pass { meshlets, first_id, questions: Questions { area, state, .. } } = self.pass;
+        let Pass { meshlets, first_id, questions: Questions { area, state, .. }, .. } = self.pass;
         let scratch = &*self.scratch;
         let drawing = Drawing {
             simd: self.simd,

@@ -1,6 +1,6 @@
-//! Questions about many boxes at once.
+//! Questions about many boxes or spheres at once.
 
-use super::{hierarchical::Occluder, level::Level};
+use super::{hierarchical::Occluder, level::Level, volume::Volume};
 use crate::{
     draw::{DrawError, State},
     geometry::Region,
@@ -10,7 +10,7 @@ use crate::{
 };
 use fearless_simd::{Simd as _, dispatch};
 
-/// What can be seen of a box.
+/// What can be seen of a box, a sphere or triangles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Visibility {
     /// Nothing: it is outside the view, the viewport's or the scissor's.
@@ -22,27 +22,28 @@ pub enum Visibility {
     Visible,
 }
 
-/// What can be seen of boxes, each between two corners of object space (the smallest x, y and z, and the largest),
-/// behind what was drawn. Nothing is drawn. "Outside" and "hidden" are certain: no triangle in such a box would change a
-/// pixel.
+/// What can be seen of boxes, each between two corners of object space (the smallest x, y and z, and the largest), or
+/// of spheres, each a centre and a radius that is not negative, behind what was drawn. Nothing is drawn. "Outside" and
+/// "hidden" are certain: no triangle inside would change a pixel.
 ///
-/// Matrix and viewport are those of [`ModelPositions`](crate::ModelPositions). A sphere is asked for by the box round
-/// it, triangles by the box round them.
+/// Matrix and viewport are those of [`ModelPositions`](crate::ModelPositions). About triangles there is
+/// [`ask_triangles`](super::ask_triangles); about a rectangle of pixels and a depth,
+/// [`HierarchicalDepth::hides`](crate::HierarchicalDepth::hides).
 ///
 /// # Errors
 ///
-/// [`DrawError::ScratchTooSmall`] where there are fewer `answers` than boxes; [`DrawError::OutsideAttachment`] where
+/// [`DrawError::ScratchTooSmall`] where there are fewer `answers` than volumes; [`DrawError::OutsideAttachment`] where
 /// the scissor is not in the attachment. No answer is written then.
-pub fn ask<A: Occluder>(
+pub fn ask<V: Volume, A: Occluder>(
     level: Level,
-    boxes: &[[[f32; 3]; 2]],
+    volumes: &[V],
     matrix: &[[f32; 4]; 4],
     viewport: &Viewport<Standard>,
     state: &State<Standard>,
     attachments: &mut A,
     answers: &mut [Visibility],
 ) -> Result<(), DrawError> {
-    let (needed, given) = (boxes.len(), answers.len());
+    let (needed, given) = (volumes.len(), answers.len());
     let answers = answers.get_mut(..needed).ok_or(DrawError::ScratchTooSmall { needed, given })?;
     let Some(area) = viewport.region().intersect(state.scissor) else {
         answers.fill(Visibility::Outside);
@@ -55,15 +56,15 @@ pub fn ask<A: Occluder>(
         Some(vectors) => dispatch!(vectors, simd => {
             simd.vectorize(
                 #[inline(always)]
-                || questions.ask_all::<VectorLanes<_>, A>(simd, boxes, attachments, answers),
+                || questions.ask_all::<VectorLanes<_>, V, A>(simd, volumes, attachments, answers),
             );
         }),
-        None => questions.ask_all::<ArrayLanes, A>((), boxes, attachments, answers),
+        None => questions.ask_all::<ArrayLanes, V, A>((), volumes, attachments, answers),
     }
     Ok(())
 }
 
-/// What stays the same for all boxes of a frame.
+/// What stays the same for all questions of a frame.
 #[derive(Clone, Copy)]
 pub(super) struct Questions<'a> {
     pub(super) frustum: Frustum,
@@ -76,31 +77,31 @@ pub(super) struct Questions<'a> {
 
 impl Questions<'_> {
     #[inline(always)]
-    fn ask_all<L: Lanes, A: Occluder>(
+    fn ask_all<L: Lanes, V: Volume, A: Occluder>(
         &self,
         token: L::Token,
-        boxes: &[[[f32; 3]; 2]],
+        volumes: &[V],
         attachments: &mut A,
         answers: &mut [Visibility],
     ) {
-        for (&corners, answer) in boxes.iter().zip(answers) {
-            *answer = if self.frustum.excludes_box(corners) {
+        for (&volume, answer) in volumes.iter().zip(answers) {
+            *answer = if volume.is_outside(&self.frustum) {
                 Visibility::Outside
             } else {
-                self.ask::<L, A>(token, corners, attachments)
+                self.ask::<L, V, A>(token, volume, attachments)
             };
         }
     }
 
-    /// About a box that the frustum does not exclude.
+    /// About a volume that the frustum does not exclude.
     #[inline(always)]
-    pub(super) fn ask<L: Lanes, A: Occluder>(
+    pub(super) fn ask<L: Lanes, V: Volume, A: Occluder>(
         &self,
         token: L::Token,
-        corners: [[f32; 3]; 2],
+        volume: V,
         attachments: &mut A,
     ) -> Visibility {
-        match self.viewport.bound_box(self.matrix, corners, self.state.sample) {
+        match volume.bound(self.viewport, self.matrix, self.state.sample) {
             Bound::Nothing => Visibility::Outside,
             Bound::Within { area, depths } => match area.intersect(self.area) {
                 Some(area) if attachments.hides::<L>(token, area, depths) => Visibility::Hidden,

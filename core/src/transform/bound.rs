@@ -1,4 +1,4 @@
-//! What a box can cover at most, as seen through a viewport.
+//! What a box can cover at most, as seen through a viewport; how what is covered follows from the ends of quotients.
 
 use super::viewport::Viewport;
 use crate::{
@@ -6,7 +6,7 @@ use crate::{
     numbers::{Bounds, Format, unorm32},
 };
 
-/// What a box can cover of a viewport at most.
+/// What a box or a sphere can cover of a viewport at most.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bound<F> {
     /// No sample.
@@ -19,7 +19,7 @@ pub enum Bound<F> {
         /// The smallest and the largest depth.
         depths: [u32; 2],
     },
-    /// Any pixel: the box reaches the eye's plane, or is not finite.
+    /// Any pixel: it reaches the eye's plane, or is not finite.
     Anything,
 }
 
@@ -29,8 +29,14 @@ pub enum Bound<F> {
 /// at most 4.1 u of the sum of magnitudes S, u = 2^-24, for a vertex and for a box's corner alike; a cut at a
 /// plane of the guard band or the frustum adds at most 2 u, and there are 7. A quotient q = x / w is then off by
 /// (18.1 u Sx + abs q 18.1 u Sw) / w and its own rounding u q, and the difference of two by twice that:
-/// less than 40 u ((Sx + abs q Sw) / w + q), 2.5 2^-20.
-const MARGIN: f32 = 1.0 / 262_144.0;
+/// less than 40 u ((Sx + abs q Sw) / w + q), 2.5 2^-20. Products that are no normal floats are off by up to 2^-150
+/// each, whatever S: it counts as [`TINY`] more.
+pub(super) const MARGIN: f32 = 1.0 / 262_144.0;
+/// Times [`MARGIN`] it is 2^-144.
+pub(super) const TINY: f32 = f32::MIN_POSITIVE;
+
+/// The smallest and the largest x / w, y / w and z / w.
+pub(crate) type Ends = [[f32; 2]; 3];
 
 impl<F: Format> Viewport<F> {
     /// What the box between two corners of object space, and any triangles inside it, can cover at most where
@@ -41,23 +47,17 @@ impl<F: Format> Viewport<F> {
     /// positive.
     #[inline(always)]
     #[must_use]
-    pub fn bound_box(
-        &self,
-        matrix: &[[f32; 4]; 4],
-        [low, high]: [[f32; 3]; 2],
-        sample: Sample<F>,
-    ) -> Bound<F> {
-        let [[ax, ay, az, aw], [bx, by, bz, bw], [cx, cy, cz, cw], [dx, dy, dz, dw]] = *matrix;
-        let corners = |column| Corners::new(column, low, high);
-        let (x, y) = (corners([ax, bx, cx, dx]), corners([ay, by, cy, dy]));
-        let (z, w) = (corners([az, bz, cz, dz]), corners([aw, bw, cw, dw]));
-        let nearest = least(w.values) - w.size * MARGIN;
-        // NaN and infinities compare to false.
-        if !(nearest >= f32::MIN_POSITIVE && x.size + y.size + z.size + w.size < f32::INFINITY) {
-            return Bound::Anything;
+    pub fn bound_box(&self, matrix: &[[f32; 4]; 4], corners: [[f32; 3]; 2], sample: Sample<F>) -> Bound<F> {
+        match ends_of_box(matrix, corners) {
+            Some(ends) => self.bound(ends, sample),
+            None => Bound::Anything,
         }
-        let ends = |corners: Corners| corners.quotients(w, nearest);
-        let ([left, right], [bottom, top], [near, far]) = (ends(x), ends(y), ends(z));
+    }
+
+    /// What is covered at most where quotients have those ends.
+    #[inline(always)]
+    pub(super) fn bound(&self, ends: Ends, sample: Sample<F>) -> Bound<F> {
+        let [[left, right], [bottom, top], [near, far]] = ends;
         if !(left <= right && bottom <= top && near <= far) {
             return Bound::Anything;
         }
@@ -71,6 +71,22 @@ impl<F: Format> Viewport<F> {
             None => Bound::Nothing,
         }
     }
+}
+
+/// The ends of quotients over a box and what is in it, rounding allowed for; `None` where w may not be positive, or
+/// something is not finite.
+#[inline(always)]
+pub(super) fn ends_of_box(matrix: &[[f32; 4]; 4], [low, high]: [[f32; 3]; 2]) -> Option<Ends> {
+    let [[ax, ay, az, aw], [bx, by, bz, bw], [cx, cy, cz, cw], [dx, dy, dz, dw]] = *matrix;
+    let corners = |column| Corners::new(column, low, high);
+    let (x, y) = (corners([ax, bx, cx, dx]), corners([ay, by, cy, dy]));
+    let (z, w) = (corners([az, bz, cz, dz]), corners([aw, bw, cw, dw]));
+    let nearest = least(w.values) - w.size * MARGIN;
+    // NaN and infinities compare to false.
+    if !(nearest >= f32::MIN_POSITIVE && x.size + y.size + z.size + w.size < f32::INFINITY) {
+        return None;
+    }
+    Some([x.quotients(w, nearest), y.quotients(w, nearest), z.quotients(w, nearest)])
 }
 
 /// One clip coordinate at a box's corners.
@@ -102,7 +118,7 @@ impl Corners {
         }
         let (low, high) = (least(quotients), -least(quotients.map(|q| -q)));
         let most = if high > -low { high } else { -low };
-        let margin = ((self.size + most * w.size) / nearest + most) * MARGIN;
+        let margin = ((self.size + most * w.size + TINY) / nearest + most) * MARGIN;
         [low - margin, high + margin]
     }
 }

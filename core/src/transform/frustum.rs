@@ -125,9 +125,10 @@ impl Frustum {
             let size = sa[k] + sb[k] + sc[k];
             let magnitude = sa[k] * x.abs() + sb[k] * y.abs() + sc[k] * z.abs() + sd[k] + size * radius;
             let value = value + (magnitude * MARGIN + f32::MIN_POSITIVE);
-            // The distance is value / |(a, b, c)|; squares, as there is no root.
-            let reach = radius * radius * (a[k] * a[k] + b[k] * b[k] + c[k] * c[k]);
-            outside |= value < 0.0 && value * value > reach * (1.0 + MARGIN);
+            // The distance is value / |(a, b, c)|; squares, as there is no root, and in `f64`, where none underflows.
+            let square = |v: f32| f64::from(v) * f64::from(v);
+            let reach = square(radius) * (square(a[k]) + square(b[k]) + square(c[k]));
+            outside |= value < 0.0 && square(value) > reach * f64::from(1.0 + MARGIN);
             finite &= magnitude < f32::INFINITY;
         }
         outside & finite

@@ -12,6 +12,8 @@ mod plane;
 mod positions;
 #[cfg(any(kani, test))]
 mod proofs;
+mod root;
+mod sphere;
 mod triangulate;
 mod viewport;
 
@@ -23,4 +25,6 @@ pub(crate) use plane::Plane;
 pub use positions::ClipPositions;
 #[cfg(feature = "simd")]
 pub(crate) use positions::assemble;
+#[cfg(feature = "simd")]
+pub(crate) use root::root_above;
 pub use viewport::Viewport;

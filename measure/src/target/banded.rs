@@ -3,8 +3,8 @@
 use std::num::NonZeroUsize;
 use std::time::{Duration, Instant};
 
-use halfplane::simd::{MeshletScratch, draw_meshlets};
-use halfplane::{Depth, DepthTest, Ids, NO_ID, Region, Standard, State, Viewport, texels};
+use halfplane::simd::{MeshletScratch, RowAttachment, draw_meshlets};
+use halfplane::{D32, Depth, DepthFormat, DepthTest, Ids, NO_ID, Region, Standard, State, Viewport, texels};
 
 use super::buffers::{depth_rows, id_rows};
 use super::split::Split;
@@ -21,11 +21,11 @@ pub(super) fn pool(threads: NonZeroUsize) -> Result<rayon::ThreadPool, TargetErr
 
 /// What such a frame needs beside the matrix: depth, and ids where they are asked for.
 #[derive(Debug)]
-pub struct Banded<'m> {
+pub struct Banded<'m, D: DepthFormat<Standard> = D32> {
     prepared: &'m Prepared,
     state: State<Standard>,
     viewport: Viewport<Standard>,
-    depths: Buffer<u32>,
+    depths: Buffer<D::Texel>,
     ids: Option<Buffer<u32>>,
     split: Split,
     /// One for each band.
@@ -34,7 +34,10 @@ pub struct Banded<'m> {
     threads: rayon::ThreadPool,
 }
 
-impl<'m> Banded<'m> {
+impl<'m, D: DepthFormat<Standard, Texel: Send>> Banded<'m, D>
+where
+    for<'a> Depth<'a, Standard, D>: RowAttachment,
+{
     /// For a mesh's meshlets and so many threads; the picture is the state's scissor.
     ///
     /// # Errors
@@ -53,7 +56,7 @@ impl<'m> Banded<'m> {
             prepared,
             state: *state,
             viewport: Viewport::new(state.scissor),
-            depths: Buffer::new(texels(width, height), u32::MAX),
+            depths: Buffer::new(texels(width, height), D::FAR),
             ids: with_ids.then(|| Buffer::new(texels(width, height), NO_ID)),
             scratch: vec![MeshletScratch::NEW; split.count()],
             split,
@@ -69,11 +72,11 @@ impl<'m> Banded<'m> {
     pub fn frame(&mut self, level: Level, matrix: &Matrix) -> Result<(), TargetError> {
         let Self { prepared, state, viewport, depths, ids, split, scratch, threads } = self;
         let (area, rows) = (state.scissor, rows_of(matrix));
-        let draw = |band: &mut Band<'_>| -> Result<Duration, TargetError> {
+        let draw = |band: &mut Band<'_, D::Texel>| -> Result<Duration, TargetError> {
             let started = Instant::now();
             let state = State { scissor: band.region, ..*state };
-            let mut depth = Depth::<Standard>::new(band.region, band.depths, DepthTest::LESS)?;
-            depth.clear(u32::MAX);
+            let mut depth = Depth::<Standard, D>::new(band.region, band.depths, DepthTest::LESS)?;
+            depth.clear(D::FAR);
             let (meshlets, scratch) = (prepared.meshlets(), &mut *band.scratch);
             match &mut band.ids {
                 Some(ids) => {
@@ -123,7 +126,7 @@ impl<'m> Banded<'m> {
     ///
     /// None that a target can have.
     pub fn depth_rows(&mut self) -> Result<Vec<u32>, TargetError> {
-        depth_rows(self.state.scissor, self.depths.as_mut_slice())
+        depth_rows::<D>(self.state.scissor, self.depths.as_mut_slice())
     }
 
     /// The ids in rows from the top; none where none are drawn.
@@ -138,9 +141,9 @@ impl<'m> Banded<'m> {
 }
 
 /// A thread's part of a frame.
-struct Band<'a> {
+struct Band<'a, T> {
     region: Region<Standard>,
-    depths: &'a mut [u32],
+    depths: &'a mut [T],
     ids: Option<&'a mut [u32]>,
     scratch: &'a mut MeshletScratch,
     /// How long it took.

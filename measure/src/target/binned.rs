@@ -5,7 +5,8 @@ use std::num::NonZeroUsize;
 use halfplane::bins::{BinChunk, BinTile, BinnedTriangle, Bins, TileOrder, bin_tiles};
 use halfplane::simd::{draw_any, draw_bins};
 use halfplane::{
-    Depth, DepthTest, Ids, ModelPositions, NO_ID, Region, Standard, State, Statistics, Viewport, texels,
+    D32, Depth, DepthFormat, DepthTest, Ids, ModelPositions, NO_ID, Region, Standard, State, Statistics,
+    Viewport, texels,
 };
 use rayon::prelude::*;
 
@@ -21,7 +22,7 @@ const BAND: u32 = 64;
 
 /// What such a frame needs beside the matrix.
 #[derive(Debug)]
-pub struct Binned<'m> {
+pub struct Binned<'m, D: DepthFormat<Standard> = D32> {
     positions: &'m [[f32; 3]],
     indices: &'m [u32],
     state: State<Standard>,
@@ -29,12 +30,12 @@ pub struct Binned<'m> {
     tiles: Vec<BinTile>,
     chunks: Vec<BinChunk>,
     triangles: Vec<BinnedTriangle<Standard>>,
-    depths: Buffer<u32>,
+    depths: Buffer<D::Texel>,
     ids: Buffer<u32>,
     threads: rayon::ThreadPool,
 }
 
-impl<'m> Binned<'m> {
+impl<'m, D: DepthFormat<Standard, Texel: Send>> Binned<'m, D> {
     /// For triangles of three indices each into positions, and so many threads; the picture is the state's scissor.
     /// There is memory for `most` triangles at a time.
     ///
@@ -60,7 +61,7 @@ impl<'m> Binned<'m> {
             // Most triangles are in one tile; a chunk for each tile that is not full, and two for what is in more.
             chunks: vec![BinChunk::EMPTY; 3 * tiles + most / 4],
             triangles: (0..most).map(|_| BinnedTriangle::EMPTY).collect(),
-            depths: Buffer::new(texels(width, height), u32::MAX),
+            depths: Buffer::new(texels(width, height), D::FAR),
             ids: Buffer::new(texels(width, height), NO_ID),
             threads: pool(threads)?,
         })
@@ -74,7 +75,7 @@ impl<'m> Binned<'m> {
     pub fn frame(&mut self, level: Level, matrix: &Matrix) -> Result<(Statistics, u32), TargetError> {
         let Self { positions, indices, state, order, tiles, chunks, triangles, depths, ids, threads } = self;
         let area = state.scissor;
-        Depth::<Standard>::new(area, depths.as_mut_slice(), DepthTest::LESS)?.clear(u32::MAX);
+        Depth::<Standard, D>::new(area, depths.as_mut_slice(), DepthTest::LESS)?.clear(D::FAR);
         Ids::<Standard>::new(area, ids.as_mut_slice())?.clear();
         let positions = ModelPositions::new(positions, rows_of(matrix), Viewport::new(area));
         let mut bins = Bins::new(area, tiles, chunks, triangles)?;
@@ -87,14 +88,14 @@ impl<'m> Binned<'m> {
             (rest, id) = (next, id + taken.len() as u32 / 3);
             if bins.is_empty() {
                 if let Some((one, next)) = rest.split_first_chunk::<3>() {
-                    let depth = Depth::<Standard>::new(area, depths.as_mut_slice(), DepthTest::LESS)?;
+                    let depth = Depth::<Standard, D>::new(area, depths.as_mut_slice(), DepthTest::LESS)?;
                     let mut both = (depth, Ids::new(area, ids.as_mut_slice())?);
                     statistics += draw_any(level, &positions, one, id, state, &mut both)?;
                     (rest, id) = (next, id + 1);
                 }
                 continue;
             }
-            draw_bands(level, &bins, *order, threads, depths.as_mut_slice(), ids.as_mut_slice())?;
+            draw_bands::<D>(level, &bins, *order, threads, depths.as_mut_slice(), ids.as_mut_slice())?;
             statistics += bins.finish();
             rounds += 1;
         }
@@ -108,17 +109,17 @@ impl<'m> Binned<'m> {
     /// None that a target can have.
     pub fn rows(&mut self) -> Result<[Vec<u32>; 2], TargetError> {
         let region = self.state.scissor;
-        Ok([depth_rows(region, self.depths.as_mut_slice())?, id_rows(region, self.ids.as_mut_slice())?])
+        Ok([depth_rows::<D>(region, self.depths.as_mut_slice())?, id_rows(region, self.ids.as_mut_slice())?])
     }
 }
 
 /// Draws what waits, each thread a row of tiles at a time.
-fn draw_bands(
+fn draw_bands<D: DepthFormat<Standard, Texel: Send>>(
     level: Level,
     bins: &Bins<'_, Standard>,
     order: TileOrder,
     threads: &rayon::ThreadPool,
-    depths: &mut [u32],
+    depths: &mut [D::Texel],
     ids: &mut [u32],
 ) -> Result<(), TargetError> {
     let area = bins.region();
@@ -131,7 +132,7 @@ fn draw_bands(
             let Ok(band) = Region::new(area.x0(), y, area.x1(), area.y1().min(y + BAND)) else {
                 return Ok(());
             };
-            let depth = Depth::<Standard>::new(band, depths, DepthTest::LESS)?;
+            let depth = Depth::<Standard, D>::new(band, depths, DepthTest::LESS)?;
             let mut both = (depth, Ids::new(band, ids)?);
             Ok(draw_bins(level, bins, band, order, &mut both).map_err(halfplane::DrawError::from)?)
         })

@@ -30,11 +30,14 @@ pub(super) trait Visitor {
     fn visit<A: RowAttachment>(self, attachments: &mut A) -> Self::Result;
 }
 
-/// Depths of 32 bits in rows from the top.
-pub(super) fn depth_rows(region: Region<Standard>, texels: &mut [u32]) -> Result<Vec<u32>, TargetError> {
-    let mut rows = vec![FAR32; region.width() as usize * region.height() as usize];
-    Depth::<Standard>::new(region, texels, DepthTest::LESS)?.to_linear(&mut rows)?;
-    Ok(rows)
+/// Depths in rows from the top.
+pub(super) fn depth_rows<D: DepthFormat<Standard>>(
+    region: Region<Standard>,
+    texels: &mut [D::Texel],
+) -> Result<Vec<u32>, TargetError> {
+    let mut rows = vec![D::FAR; region.width() as usize * region.height() as usize];
+    Depth::<Standard, D>::new(region, texels, DepthTest::LESS)?.to_linear(&mut rows)?;
+    Ok(rows.into_iter().map(Into::into).collect())
 }
 
 /// Ids in rows from the top.
@@ -170,14 +173,11 @@ impl Buffers {
     /// None for memory that was made here.
     pub(super) fn depth_rows(&mut self, attachments: Attachments) -> Result<Vec<u32>, TargetError> {
         self.make(attachments);
-        let pixels = self.region.width() as usize * self.region.height() as usize;
         if attachments.has_depth32() {
-            return depth_rows(self.region, self.depth32.as_mut_slice());
+            return depth_rows::<D32>(self.region, self.depth32.as_mut_slice());
         }
         if attachments.has_depth16() {
-            let mut rows = vec![FAR16; pixels];
-            self.depth16()?.to_linear(&mut rows)?;
-            return Ok(rows.into_iter().map(u32::from).collect());
+            return depth_rows::<D16>(self.region, self.depth16.as_mut_slice());
         }
         Ok(Vec::new())
     }

@@ -2,10 +2,10 @@
 
 use std::time::{Duration, Instant};
 
-use halfplane::simd::{self, BatchOrder, MeshletScratch, Occlusion, Visibility, draw_batches};
+use halfplane::simd::{self, BatchOrder, MeshletScratch, Occlusion, RowAttachment, Visibility, draw_batches};
 use halfplane::{
-    DepthRange, DepthTest, HierarchicalDepth, Ids, NO_ID, Standard, State, Statistics, Viewport,
-    depth_ranges, texels,
+    D32, DepthFormat, DepthRange, DepthTest, HierarchicalDepth, Ids, NO_ID, Standard, State, Statistics,
+    Viewport, depth_ranges, texels,
 };
 
 use super::buffers::{depth_rows, id_rows};
@@ -16,18 +16,21 @@ use crate::level::Level;
 
 /// What such a frame needs beside the matrix: depth, and ids where they are asked for.
 #[derive(Debug)]
-pub struct Occluded<'m> {
+pub struct Occluded<'m, D: DepthFormat<Standard> = D32> {
     clustered: &'m Clustered,
     state: State<Standard>,
     viewport: Viewport<Standard>,
-    depths: Buffer<u32>,
+    depths: Buffer<D::Texel>,
     ids: Option<Buffer<u32>>,
     ranges: Vec<DepthRange>,
     order: Vec<BatchOrder>,
     scratch: Box<MeshletScratch>,
 }
 
-impl<'m> Occluded<'m> {
+impl<'m, D: DepthFormat<Standard>> Occluded<'m, D>
+where
+    for<'a> HierarchicalDepth<'a, Standard, D>: RowAttachment,
+{
     /// For a clustered mesh; the picture is the state's scissor.
     #[must_use]
     pub fn new(clustered: &'m Clustered, state: &State<Standard>, with_ids: bool) -> Self {
@@ -36,7 +39,7 @@ impl<'m> Occluded<'m> {
             clustered,
             state: *state,
             viewport: Viewport::new(state.scissor),
-            depths: Buffer::new(texels(width, height), u32::MAX),
+            depths: Buffer::new(texels(width, height), D::FAR),
             ids: with_ids.then(|| Buffer::new(texels(width, height), NO_ID)),
             ranges: vec![DepthRange::UNKNOWN; depth_ranges(width, height)],
             order: vec![BatchOrder::default(); clustered.batches().len()],
@@ -54,8 +57,8 @@ impl<'m> Occluded<'m> {
         let (region, rows) = (state.scissor, rows_of(matrix));
         let (batches, meshlets) = (clustered.batches(), clustered.meshlets());
         let depths = depths.as_mut_slice();
-        let mut depth = HierarchicalDepth::<Standard>::new(region, depths, ranges, DepthTest::LESS)?;
-        depth.clear(u32::MAX);
+        let mut depth = HierarchicalDepth::<Standard, D>::new(region, depths, ranges, DepthTest::LESS)?;
+        depth.clear(D::FAR);
         let Some(ids) = ids else {
             return Ok(draw_batches(
                 level, batches, meshlets, rows, *viewport, order, scratch, 0, state, &mut depth,
@@ -83,7 +86,7 @@ impl<'m> Occluded<'m> {
     ) -> Result<Vec<Duration>, TargetError> {
         let (region, depths) = (self.state.scissor, self.depths.as_mut_slice());
         let mut depth =
-            HierarchicalDepth::<Standard>::new(region, depths, &mut self.ranges, DepthTest::LESS)?;
+            HierarchicalDepth::<Standard, D>::new(region, depths, &mut self.ranges, DepthTest::LESS)?;
         let rows = rows_of(matrix);
         let mut pass = || {
             let started = Instant::now();
@@ -99,7 +102,7 @@ impl<'m> Occluded<'m> {
     ///
     /// None that a target can have.
     pub fn depth_rows(&mut self) -> Result<Vec<u32>, TargetError> {
-        depth_rows(self.state.scissor, self.depths.as_mut_slice())
+        depth_rows::<D>(self.state.scissor, self.depths.as_mut_slice())
     }
 
     /// The ids in rows from the top: places in the clustered list; none where none are drawn.

@@ -7,8 +7,8 @@ use super::{
 use crate::{
     Failure,
     failure::Verdict,
-    properties::{batches, depth_test::COMPARISONS, hierarchical, simd},
-    shapes::Kind,
+    properties::{batches, cones, depth_test::COMPARISONS, hierarchical, lists, simd, spheres},
+    shapes::{Kind, Patch},
 };
 use arbitrary::Arbitrary;
 use halfplane::{D16, D32, DepthFormat, DepthTest, Format, Small, Standard};
@@ -23,11 +23,14 @@ const MOST: [usize; 2] = [12, 300];
 enum Case {
     /// Questions between draws.
     Pixels { format: u8, place: Place, test: (u8, bool), seed: u64, triangles: Vec<(Shape, [u32; 4])> },
-    /// Boxes, spheres and batches of a mesh.
+    /// Boxes, spheres, lists and batches of a mesh.
     Mesh { place: Place, how: [u32; 10], what: u8, center: [i8; 3], triangles: Vec<simd::Numbers> },
+    /// Meshlets whose triangles face much the same way.
+    Patch { size: [u8; 2], count: u8, spread: u8, powers: [i8; 5], cosine: i8, orthographic: bool, seed: u64 },
 }
 
-/// Hierarchical depth against every pixel; boxes against what is in them; batches against their mesh.
+/// Hierarchical depth against every pixel; boxes and spheres against what is in them; lists and batches against their
+/// triangles.
 pub fn queries(data: &[u8]) -> Verdict {
     check(data, |case: &Case| match case {
         Case::Pixels { format, .. } => match format % 3 {
@@ -38,17 +41,31 @@ pub fn queries(data: &[u8]) -> Verdict {
         Case::Mesh { place, how, what, center, triangles } => {
             let triangles = &triangles[..triangles.len().min(MOST[1])];
             let case = simd::Case::from_numbers(place.0.map(u32::from), *how, triangles, &Kind::ALL);
-            match what % 4 {
+            let radius = (f32::from(what / 8) - 16.0).exp2();
+            let center = center.map(f32::from);
+            let seed = u64::from(how[0]);
+            match what % 8 {
                 0 => batches::batches_are_the_mesh(&case).map(|_| ()),
                 1 => batches::boxes_bound_what_they_hold(&case).map(|_| ()),
                 2 => batches::answers_are_certain(&case).map(|_| ()),
-                _ => {
-                    let radius = f32::from(*what).exp2() / 1024.0;
-                    let center = center.map(f32::from);
-                    batches::spheres_left_out_are_outside(&case, center, radius, u64::from(how[0]))
-                        .map(|_| ())
-                }
+                3 => spheres::spheres_left_out_are_outside(&case, center, radius, seed).map(|_| ()),
+                4 => spheres::spheres_bound_what_they_hold(&case).map(|_| ()),
+                5 => spheres::points_of_spheres_are_in_their_bound(&case, center, radius, seed).map(|_| ()),
+                6 => lists::lists_out_of_sight_change_nothing(&case).map(|_| ()),
+                _ => cones::meshes_are_their_triangles(&case).map(|_| ()),
             }
+        }
+        Case::Patch { size, count, spread, powers, cosine, orthographic, seed } => {
+            let patch = Patch {
+                count: usize::from(count % 50),
+                spread: f64::from(*spread) / 100.0,
+                powers: powers.map(|power| i32::from(power) / 4),
+                cosine: f64::from(*cosine) / 128.0,
+                orthographic: *orthographic,
+                seed: *seed,
+            };
+            let size = size.map(|side| u32::from(side % 90) + 1);
+            cones::patches_are_their_triangles(&patch, size).map(|_| ())
         }
     })
 }

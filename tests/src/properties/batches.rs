@@ -4,19 +4,15 @@ use super::{
     simd::{Case, Storage, levels},
     statistics::add_up,
 };
-use crate::{
-    Failure, ensure, ensure_eq,
-    failure::Verdict,
-    shapes::{Projection, Random},
-};
+use crate::{Failure, ensure, ensure_eq, failure::Verdict, shapes::Random};
 use halfplane::{
-    Bound, Compare, Coverage, D16, D32, Depth, DepthFormat, DepthRange, DepthTest, DrawError, Frustum,
-    HierarchicalDepth, Ids, Index as _, ModelPositions, Region, Standard, State, Statistics, Viewport,
-    depth_ranges, draw,
+    Bound, Compare, Coverage, D16, D32, Depth, DepthFormat, DepthRange, DepthTest, DrawError,
+    HierarchicalDepth, Ids, Index as _, Region, Standard, State, Statistics, Viewport, depth_ranges, draw,
     numbers::{DEPTH32_MAX, DEPTH32_MIN},
     simd::{
         Batch, BatchOrder, Level, Meshlet, MeshletError, MeshletScratch, Occluder, Occlusion, RowAttachment,
-        Visibility, ask, cluster, draw_batches, make_batches, make_meshlets, max_batches, max_meshlets,
+        Visibility, Volume, ask, cluster, draw_batches, make_batches, make_meshlets, max_batches,
+        max_meshlets,
     },
 };
 
@@ -165,7 +161,7 @@ where
         let rejected = drawn.0.rejected.total() + drawn.0.culled.hidden;
         ensure!(rejected >= wanted.rejected.total(), "{what}: {} rejected", drawn.0.rejected.total());
         ensure!(drawn.0.drawn <= wanted.drawn, "{what}: {} drawn of {}", drawn.0.drawn, wanted.drawn);
-        let Occlusion { batches, hidden_batches, meshlets, hidden_meshlets } = drawn.1;
+        let Occlusion { batches, hidden_batches, meshlets, hidden_meshlets, .. } = drawn.1;
         ensure!(hidden_batches <= batches && hidden_meshlets <= meshlets, "{what}: {:?}", drawn.1);
         // Several meshlets at a time are drawn from vectors, so others are hidden than from arrays.
         if level.name() != Level::FALLBACK.name() {
@@ -176,7 +172,7 @@ where
     Ok(all)
 }
 
-fn viewport(case: &Case) -> Result<Viewport<Standard>, Failure> {
+pub(super) fn viewport(case: &Case) -> Result<Viewport<Standard>, Failure> {
     let [x0, y0, x1, y1] = case.viewport;
     Ok(Viewport::new(Region::new(x0, y0, x1, y1)?))
 }
@@ -237,7 +233,7 @@ pub fn ids_of_batches_are_the_nearest(case: &Case) -> Result<Drawn, Failure> {
 /// What is in a box covers no pixel outside its bound, at no depth outside, for boxes round some of the triangles.
 /// Whether the bound said anything of use.
 pub fn boxes_bound_what_they_hold(case: &Case) -> Result<bool, Failure> {
-    let (state, region) = (case.state()?, case.frame.core_region()?);
+    let state = case.state()?;
     let mut random = Random(case.first_id.into());
     let triangles = case.indices.as_chunks::<3>().0;
     if triangles.is_empty() {
@@ -267,7 +263,12 @@ pub fn boxes_bound_what_they_hold(case: &Case) -> Result<bool, Failure> {
         .flatten()
         .copied()
         .collect();
-    let bound = viewport(case)?.bound_box(&case.model.matrix, corners, state.sample);
+    bounds_all(case, viewport(case)?.bound_box(&case.model.matrix, corners, state.sample), &held)
+}
+
+/// Triangles of a case cover no pixel outside a bound, at no depth outside. Whether the bound said anything of use.
+pub(super) fn bounds_all(case: &Case, bound: Bound<Standard>, held: &[u32]) -> Result<bool, Failure> {
+    let (state, region) = (case.state()?, case.frame.core_region()?);
     let (area, [nearest, farthest]) = match bound {
         Bound::Anything => return Ok(false),
         Bound::Nothing => (None, [0, u32::MAX]),
@@ -279,7 +280,7 @@ pub fn boxes_bound_what_they_hold(case: &Case) -> Result<bool, Failure> {
         let mut depth =
             Depth::<Standard>::new(region, &mut storage.depths, DepthTest { compare, write: true })?;
         depth.clear(clear);
-        draw(&case.positions()?, &held, 0, &state, &mut depth)?;
+        draw(&case.positions()?, held, 0, &state, &mut depth)?;
         for (x, y) in case.frame.pixels() {
             let stored = depth.get(x, y).unwrap_or(clear);
             if stored == clear {
@@ -300,9 +301,7 @@ pub fn boxes_bound_what_they_hold(case: &Case) -> Result<bool, Failure> {
 /// After a frame, whatever is said of boxes round some triangles is the same at every level, and drawing what is said to
 /// be out of sight changes no pixel. How often each answer was given: outside, hidden, visible.
 pub fn answers_are_certain(case: &Case) -> Result<[u32; 3], Failure> {
-    let (state, region) = (case.state()?, case.frame.core_region()?);
     let triangles = case.indices.as_chunks::<3>().0;
-    let half = triangles.len() / 2;
     let boxes: Vec<[[f32; 3]; 2]> = triangles
         .iter()
         .map(|corners| {
@@ -313,6 +312,14 @@ pub fn answers_are_certain(case: &Case) -> Result<[u32; 3], Failure> {
             [axis(f32::min), axis(f32::max)]
         })
         .collect();
+    are_certain(case, &boxes)
+}
+
+/// The same for volumes, each round the triangle of its number.
+pub(super) fn are_certain<V: Volume>(case: &Case, volumes: &[V]) -> Result<[u32; 3], Failure> {
+    let (state, region) = (case.state()?, case.frame.core_region()?);
+    let triangles = case.indices.as_chunks::<3>().0;
+    let half = triangles.len() / 2;
     let test = match case.test.compare {
         Compare::Always => DepthTest::LESS,
         _ => case.test,
@@ -323,16 +330,16 @@ pub fn answers_are_certain(case: &Case) -> Result<[u32; 3], Failure> {
     draw(&case.positions()?, triangles[..half].as_flattened(), 0, &state, &mut depth)?;
     let mut said = None;
     for level in levels() {
-        let mut answers = vec![Visibility::default(); boxes.len()];
-        ask(level, &boxes, &case.model.matrix, &viewport(case)?, &state, &mut depth, &mut answers)?;
+        let mut answers = vec![Visibility::default(); volumes.len()];
+        ask(level, volumes, &case.model.matrix, &viewport(case)?, &state, &mut depth, &mut answers)?;
         ensure_eq!(*said.get_or_insert_with(|| answers.clone()), answers, "{}", level.name());
     }
     let said = said.ok_or_else(|| Failure::new("no level"))?;
-    let mut few = vec![Visibility::default(); boxes.len().saturating_sub(1)];
-    if !boxes.is_empty() {
+    let mut few = vec![Visibility::default(); volumes.len().saturating_sub(1)];
+    if !volumes.is_empty() {
         let error =
-            ask(Level::FALLBACK, &boxes, &case.model.matrix, &viewport(case)?, &state, &mut depth, &mut few);
-        let expected = DrawError::ScratchTooSmall { needed: boxes.len(), given: boxes.len() - 1 };
+            ask(Level::FALLBACK, volumes, &case.model.matrix, &viewport(case)?, &state, &mut depth, &mut few);
+        let expected = DrawError::ScratchTooSmall { needed: volumes.len(), given: volumes.len() - 1 };
         ensure_eq!(error, Err(expected), "too few answers");
     }
     let mut before = vec![0; (region.width() * region.height()) as usize];
@@ -369,41 +376,6 @@ pub fn bounds_of_points_are_tight(point: [f32; 3], size: [u32; 2]) -> Verdict {
         Bound::Anything => return Err(Failure::new(format_args!("anything for {point:?}"))),
     }
     Ok(())
-}
-
-/// No point of a sphere that is left out is inside the frustum; spheres far outside are left out.
-pub fn spheres_left_out_are_outside(
-    case: &Case,
-    center: [f32; 3],
-    radius: f32,
-    seed: u64,
-) -> Result<bool, Failure> {
-    let frustum = Frustum::new(&case.model.matrix);
-    let excluded = frustum.excludes_sphere(center, radius);
-    // A box round it that is left out, and a little more, has the sphere in it; squares of ordinary numbers are
-    // ordinary.
-    let ends = [-1.0, 1.0].map(|sign| center.map(|v| v + sign * (radius * 1.01 + 0.01)));
-    let ordinary = !matches!(case.projection, Projection::Bits | Projection::Scaled);
-    ensure!(
-        excluded || !ordinary || !frustum.excludes_box(ends),
-        "the box of a sphere is outside, and the sphere not"
-    );
-    if !excluded {
-        return Ok(false);
-    }
-    let mut random = Random(seed);
-    for _ in 0..20 {
-        let mut direction = [0; 3].map(|_| random.below(2001) as f32 / 1000.0 - 1.0);
-        let length = direction.iter().map(|v| v * v).sum::<f32>().sqrt().max(1e-3) * 1.000_001;
-        direction = direction.map(|v| v / length * radius);
-        let [x, y, z] = [0, 1, 2].map(|axis| center[axis] + direction[axis]);
-        let vertices = [[x, y, z]];
-        let positions = ModelPositions::new(&vertices, case.model.matrix, viewport(case)?);
-        let [x, y, z, w] = positions.clip(0).ok_or_else(|| Failure::new("no vertex"))?;
-        let inside = x >= -w && x <= w && y >= -w && y <= w && z >= 0.0 && z <= w && w >= 0.0;
-        ensure!(!inside, "a point of a sphere that was left out is inside: {:?}", [x, y, z, w]);
-    }
-    Ok(true)
 }
 
 /// Memory that is too short is refused, and nothing is written.

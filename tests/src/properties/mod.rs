@@ -4,6 +4,8 @@
 pub mod batches;
 pub mod bins;
 pub mod clipping;
+#[cfg(feature = "simd")]
+pub mod cones;
 pub mod conservative;
 pub mod coverage;
 pub mod crossing;
@@ -22,6 +24,8 @@ pub mod fast_triangles;
 pub mod hierarchical;
 pub mod lanes;
 #[cfg(feature = "simd")]
+pub mod lists;
+#[cfg(feature = "simd")]
 pub mod meshlets;
 pub mod neighbours;
 pub mod numbers;
@@ -32,6 +36,8 @@ pub mod shared_edge;
 #[cfg(feature = "simd")]
 pub mod simd;
 pub mod small_edge;
+#[cfg(feature = "simd")]
+pub mod spheres;
 pub mod statistics;
 pub mod storage;
 pub mod transform;

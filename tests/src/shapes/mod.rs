@@ -9,6 +9,7 @@ mod depths;
 mod mesh;
 mod model;
 mod numbers;
+mod patch;
 mod triangles;
 
 pub use bezout::{Bezout, bezout};
@@ -17,6 +18,7 @@ pub use depths::depths;
 pub use mesh::{Mesh, fan, grid, triangulation};
 pub use model::{LARGE_EXTENT, Model, Projection, at_the_limit, model};
 pub use numbers::Random;
+pub use patch::Patch;
 pub use triangles::{Kind, triangle};
 
 /// Corners (x, y) in sub-pixel steps, y down.

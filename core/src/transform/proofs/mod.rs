@@ -6,6 +6,8 @@ mod frustum;
 mod model;
 mod plane;
 #[cfg(test)]
+mod root;
+#[cfg(test)]
 mod tested;
 mod triangulate;
 mod viewport;

@@ -1,13 +1,14 @@
-//! Occlusion culling: clustering, batches drawn from front to back, questions about boxes and spheres.
+//! Occlusion culling: clustering, batches drawn from front to back, questions about boxes, spheres and triangle lists.
 
 #![no_std]
 #![no_main]
 
 use halfplane::{
-    DepthRange, DepthTest, Frustum, HierarchicalDepth, Region, Standard, State, Viewport, depth_ranges,
+    Cull, DepthRange, DepthTest, Frustum, HierarchicalDepth, ModelPositions, Region, Standard, State,
+    Viewport, depth_ranges,
     simd::{
-        Batch, BatchOrder, Level, Meshlet, MeshletScratch, Visibility, ask, cluster, draw_batches,
-        make_batches, make_meshlets, max_batches, max_meshlets,
+        Batch, BatchOrder, Level, Meshlet, MeshletScratch, Visibility, ask, ask_triangles, cluster,
+        draw_batches, make_batches, make_meshlets, max_batches, max_meshlets,
     },
     texels,
 };
@@ -56,7 +57,8 @@ fn main(memory: &mut Memory) -> Option<u32> {
         HierarchicalDepth::new(region, &mut memory.depths, &mut memory.ranges, DepthTest::LESS).ok()?;
     depth.clear(u32::MAX);
     let level = if input(15) == 0 { Level::FALLBACK } else { Level::baseline() };
-    let state = State::new(Region::new(input(50), input(51), input(52), input(53)).ok()?);
+    let cull = [Cull::None, Cull::Back, Cull::Front][input(54) as usize % 3];
+    let state = State { cull, ..State::new(Region::new(input(50), input(51), input(52), input(53)).ok()?) };
     let order = memory.order.get_mut(..input(14) as usize)?;
     let scratch = &mut memory.scratch;
     let (statistics, occlusion) = draw_batches(
@@ -79,7 +81,14 @@ fn main(memory: &mut Memory) -> Option<u32> {
     let answers = answers.get_mut(..input(9) as usize)?;
     ask(level, &boxes, &matrix, &viewport, &state, &mut depth, answers).ok()?;
     let frustum = Frustum::new(&matrix);
-    output(u64::from(frustum.excludes_sphere(center, f32::from_bits(input(8)))));
+    let radius = f32::from_bits(input(8));
+    output(u64::from(frustum.excludes_sphere(center, radius)));
+    let spheres = [(low, radius), (center, radius)];
+    let mut of_spheres = [Visibility::Outside; 2];
+    ask(level, &spheres, &matrix, &viewport, &state, &mut depth, &mut of_spheres).ok()?;
+    let positions = ModelPositions::new(&vertices, matrix, viewport);
+    let of_list = ask_triangles(level, &positions, indices, &state, &mut depth).ok()?;
+    output(u64::from(of_spheres.contains(&of_list)));
     Some(answers.iter().filter(|&&answer| answer == Visibility::Hidden).count() as u32)
 }
 
