@@ -104,7 +104,7 @@ fn depths_of_16_bits_are_those_of_a_plain_draw() {
     assert!([bands.depth_rows().unwrap(), bands.id_rows().unwrap()] == expected, "bands");
     let order = TileOrder::Rows;
     let mut bins = Binned::<D16>::new(positions, indices, &state(SIZE), order, threads(2), 500).unwrap();
-    bins.frame(&matrix).unwrap();
+    bins.frame(level::available()[0], &matrix).unwrap();
     assert!(bins.rows().unwrap() == expected, "bins");
     let clustered = Clustered::new(positions, indices).unwrap();
     let mut queries = Occluded::<D16>::new(&clustered, &state(SIZE), true);
