@@ -50,11 +50,12 @@ pub fn patches_are_their_triangles(patch: &Patch, size: [u32; 2]) -> Result<Face
     faces_are_those_of_triangles(&patch.model(size), size)
 }
 
-/// The same for a case's mesh, seen through its frame.
+/// The same for a case's first triangles, seen through its frame: each is drawn many times.
 pub fn meshes_are_their_triangles(case: &Case) -> Result<Faced, Failure> {
     let [x0, y0, x1, y1] = case.frame.region;
     let mut model = case.model.clone();
-    model.vertices = case.indices.iter().map(|&index| case.model.vertices[index as usize]).collect();
+    let indices = case.indices.iter().take(3 * 64);
+    model.vertices = indices.map(|&index| case.model.vertices[index as usize]).collect();
     faces_are_those_of_triangles(&model, [x1 - x0, y1 - y0])
 }
 
