@@ -6,7 +6,7 @@ use crate::{
     proof::{cover, prove},
     transform::{
         clip::Polygon,
-        triangulate::{corner, is_ear, turn},
+        triangulate::{corner, is_ear, remove_flat, turn},
     },
 };
 use core::cmp::Ordering;
@@ -70,6 +70,18 @@ prove! {
     [turn, doubled_area, i32::product]
     fn small_turn_is_the_sign_of_the_area(places: [i32; 6] = [-SMALL; 6]..=[SMALL; 6]) {
         turns::<Small>(places);
+    }
+
+    /// A triangle without area has nothing left, any other stays.
+    #[kani::unwind(18)]
+    [remove_flat, corner, turn]
+    fn flat_triangles_are_removed(places: [i32; 6] = [-SMALL; 6]..=[SMALL; 6]) {
+        let [ax, ay, bx, by, cx, cy] = places;
+        let places = [[ax, ay], [bx, by], [cx, cy]];
+        let Some(mut polygon) = polygon::<Small, 3>(places) else { return };
+        remove_flat(&mut polygon);
+        assert!(polygon.vertices().len() == if area(places) == 0 { 0 } else { 3 });
+        cover!(area(places) == 0 && ax != bx);
     }
 
     /// The corner of a quadrangle is an ear where it turns with it and does not hold the fourth vertex.
