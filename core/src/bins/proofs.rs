@@ -56,7 +56,9 @@ fn bins_change_nothing(corner: i32, first_id: u32, chunks: usize, triangles: usi
     let (Ok(a), Ok(b), Ok(c)) = (vertex(965, 3), vertex(corner, 40), vertex(1075, 60)) else { return };
     let (vertices, indices) = ([a, b, c], [0_u8, 1, 2, 1, 1, 2, 1, 0, 2]);
     let state = State::new(region);
-    let (expected, Ok(statistics)) = drawn(region, |ids| draw(&vertices[..], &indices, first_id, &state, ids)) else {
+    let (expected, Ok(statistics)) =
+        drawn(region, |ids| draw(&vertices[..], &indices, first_id, &state, ids))
+    else {
         unreachable!("nothing is wrong with it")
     };
     let (mut tiles, mut memory) = ([BinTile::EMPTY; 2], [BinChunk::EMPTY; 2]);
