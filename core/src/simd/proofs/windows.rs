@@ -69,7 +69,7 @@ fn windows_are_those_of_the_edge(value: i32, small: u32, medium: u32) {
     };
     assert!(first == second);
     for x in 0..8 {
-        let inside = value - 7 * x as i32 >= 0;
+        let inside = value - 7 * x >= 0;
         let column = first >> (16 * (x / 4) + x % 4) & 0x1111;
         assert!(column == if inside { 0x1111 } else { 0 });
     }

@@ -66,7 +66,7 @@ prove! {
         let found = Corners::new([1.0, -1.0, 1.0, 0.5], low, high);
         for corner in 0..8 {
             let at = |axis: usize| if corner >> axis & 1 == 0 { low[axis] } else { high[axis] };
-            let expected = (at(0) * 1.0 + at(1) * -1.0) + (at(2) * 1.0 + 0.5);
+            let expected = (at(0) - at(1)) + (at(2) + 0.5);
             assert!(found.values[corner] == expected || expected.is_nan());
         }
         cover!(found.values[7] == -3.0);
