@@ -73,7 +73,7 @@ prove! {
     /// the order matters: into ids, of which none is written.
     #[kani::unwind(20)]
     [Drawing::run, Drawing::in_order, Drawing::one]
-    fn slow_ones_are_asked_for_in_order(first_id: u32) {
+    fn slow_special_ones_are_asked_for_in_order(first_id: u32) {
         let Ok(region) = Region::of_size(4, 4) else { return };
         let mut texels = [NO_ID; 16];
         let Ok(mut ids) = Ids::new(region, &mut texels) else { unreachable!("there are enough") };
@@ -85,7 +85,7 @@ prove! {
     /// The same where it does not matter: into coverage.
     #[kani::unwind(20)]
     [Drawing::run, Drawing::one]
-    fn slow_ones_are_asked_for(first_id: u32) {
+    fn slow_special_ones_are_asked_for(first_id: u32) {
         let Ok(region) = Region::of_size(4, 4) else { return };
         let mut masks = [0];
         let Ok(mut coverage) = Coverage::new(region, &mut masks) else { unreachable!("there are enough") };

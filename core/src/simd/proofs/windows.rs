@@ -80,14 +80,14 @@ prove! {
     /// The windows of small triangles have the samples of their edges, and there is a bit for those with one.
     #[kani::unwind(17)]
     [Windows::fill, Windows::fill_rows]
-    fn small_windows_have_their_samples(value: i32 = 28..=43) {
+    fn slow_small_windows_have_their_samples(value: i32 = 28..=43) {
         windows_are_those_of_the_edge(value, 0xFFFF, 0);
     }
 
     /// The same of medium ones.
     #[kani::unwind(17)]
     [Windows::fill, Windows::fill_rows]
-    fn medium_windows_have_their_samples(value: i32 = -64..=63) {
+    fn slow_medium_windows_have_their_samples(value: i32 = -64..=63) {
         windows_are_those_of_the_edge(value, 0, 0xFFFF);
     }
 

@@ -87,7 +87,7 @@ prove! {
     /// Samples of a triangle in the box are in the bound, wherever the box is moved to: the pixels between where its
     /// corners are projected to.
     [Viewport::bound_box, Corners::new, Corners::quotients, pixels]
-    fn a_moved_box_covers_no_more_columns(x: u32, column: u32 = 0..=63) {
+    fn slow_moved_boxes_cover_no_more_columns(x: u32, column: u32 = 0..=63) {
         let Ok(region) = Region::<Standard>::of_size(64, 64) else { return };
         let (viewport, x) = (Viewport::new(region), f32::from_bits(x));
         let [low, high] = BOX.map(|[left, y, z]| viewport.project([left + x, y, z, 1.0]).map_or(0, |v| v.x()));
@@ -104,7 +104,7 @@ prove! {
 
     /// The same for rows.
     [Viewport::bound_box, Corners::new, Corners::quotients, pixels]
-    fn a_moved_box_covers_no_more_rows(y: u32) {
+    fn slow_moved_boxes_cover_no_more_rows(y: u32) {
         let Ok(region) = Region::<Standard>::of_size(64, 64) else { return };
         let (viewport, y) = (Viewport::new(region), f32::from_bits(y));
         let [low, high] = BOX.map(|[x, bottom, z]| viewport.project([x, bottom + y, z, 1.0]).map_or(0, |v| v.y()));
