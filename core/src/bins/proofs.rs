@@ -1,13 +1,15 @@
 //! Proofs of the bins: their lists, their tiles, the order of tiles.
 
 use super::{
-    BinChunk, BinTile, TileOrder, bin_tiles, columns,
+    BinChunk, BinTile, BinnedTriangle, Bins, TileOrder, bin_tiles, columns, draw_binned,
     lists::{ENTRIES, Lists},
     order::hilbert,
     rows,
 };
 use crate::{
-    geometry::Region,
+    attachments::{Ids, NO_ID},
+    draw::{State, draw},
+    geometry::{Region, Vertex},
     numbers::{Small, Standard},
     proof::{cover, prove},
     traversal::{Mask, TILE, fill},
@@ -38,7 +40,58 @@ fn come_back_in_order(first: u32, pushes: u32, chunks: usize) {
     assert!(!lists.push(2, 0) && lists.entries(2).next().is_none());
 }
 
+/// Ids of two blocks, one in each of two tiles, and what a draw to them returns.
+fn drawn<R>(region: Region<Small>, draw: impl FnOnce(&mut Ids<'_, Small>) -> R) -> ([u32; 32], R) {
+    let mut texels = [NO_ID; 32];
+    let Ok(mut ids) = Ids::new(region, &mut texels) else { unreachable!("there are enough") };
+    let result = draw(&mut ids);
+    (texels, result)
+}
+
+/// Three triangles, one of them without area, through bins with so much memory, and without bins: the ids and the
+/// statistics are the same.
+fn bins_change_nothing(corner: i32, first_id: u32, chunks: usize, triangles: usize, order: TileOrder) {
+    let Ok(region) = Region::<Small>::new(60, 0, 68, 4) else { return };
+    let vertex = |x, y| Vertex::new(x, y, 0);
+    let (Ok(a), Ok(b), Ok(c)) = (vertex(965, 3), vertex(corner, 40), vertex(1075, 60)) else { return };
+    let (vertices, indices) = ([a, b, c], [0_u8, 1, 2, 1, 1, 2, 1, 0, 2]);
+    let state = State::new(region);
+    let (expected, Ok(statistics)) =
+        drawn(region, |ids| draw(&vertices[..], &indices, first_id, &state, ids))
+    else {
+        unreachable!("nothing is wrong with it")
+    };
+    let (mut tiles, mut memory) = ([BinTile::EMPTY; 2], [BinChunk::EMPTY; 2]);
+    let mut room = [const { BinnedTriangle::EMPTY }; 2];
+    let bins = Bins::new(region, &mut tiles, &mut memory[..chunks], &mut room[..triangles]);
+    let Ok(mut bins) = bins else { unreachable!("there are enough tiles") };
+    let (texels, Ok(found)) =
+        drawn(region, |ids| draw_binned(&mut bins, &vertices[..], &indices, first_id, &state, order, ids))
+    else {
+        unreachable!("nothing is wrong with it")
+    };
+    assert!(texels == expected && found.statistics == statistics);
+    assert!(found.statistics.drawn == 2 && found.statistics.culled.zero_area == 1);
+    assert!((found.unbinned > 0) == (chunks < 2));
+}
+
 prove! {
+    /// Triangles across the border of two tiles are drawn with their ids, whatever the first one is.
+    [Bins::add_checked, Bins::insert, Bins::draw, Bins::draw_tile, draw_binned]
+    fn a_draw_through_bins_is_a_draw(first_id: u32 = 0..=u32::MAX - 3) {
+        for corner in [960, 1020, 1060, 1088] {
+            bins_change_nothing(corner, first_id, 2, 2, TileOrder::Rows);
+        }
+    }
+
+    /// The same with memory for one chunk of entries, so that a triangle in both tiles is taken away again.
+    [Bins::add_checked, Bins::insert, Bins::forget, draw_binned]
+    fn a_draw_through_too_small_bins_is_a_draw(first_id: u32 = 0..=u32::MAX - 3) {
+        for corner in [960, 1020, 1060, 1088] {
+            bins_change_nothing(corner, first_id, 1, 1, TileOrder::Hilbert);
+        }
+    }
+
     /// Every entry that was taken is there, in order, and none else; a full memory refuses, and nothing is changed.
     #[kani::unwind(18)]
     [Lists::new, Lists::clear, Lists::push, Lists::entries]

@@ -11,8 +11,8 @@ pub struct Batch {
     /// The box round all vertices; not finite where a vertex is not.
     pub(super) corners: [[f32; 3]; 2],
     /// The first meshlet, and how many there are.
-    first: u32,
-    count: u32,
+    pub(super) first: u32,
+    pub(super) count: u32,
 }
 
 impl Batch {

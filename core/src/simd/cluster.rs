@@ -18,13 +18,13 @@ const LEAF: usize = 64;
 /// [`DrawError::IndexCount`] and [`DrawError::IndexOutOfRange`]; nothing is changed then.
 pub fn cluster<I: Index>(positions: &[[f32; 3]], indices: &mut [I]) -> Result<(), DrawError> {
     draw::check_indices(indices, positions.len())?;
-    halve(positions, indices.as_chunks_mut().0);
+    halve(positions, indices.as_chunks_mut().0, LEAF);
     Ok(())
 }
 
-/// As deep as a number of triangles has binary digits.
-fn halve<I: Index>(positions: &[[f32; 3]], triangles: &mut [[I; 3]]) {
-    if triangles.len() <= LEAF {
+/// Down to leaves of so many triangles, at least one; as deep as their number has binary digits.
+pub(super) fn halve<I: Index>(positions: &[[f32; 3]], triangles: &mut [[I; 3]], leaf: usize) {
+    if triangles.len() <= leaf {
         sort(triangles, |[first, ..]| u64::from(first.to_u32()));
         return;
     }
@@ -46,12 +46,12 @@ fn halve<I: Index>(positions: &[[f32; 3]], triangles: &mut [[I; 3]]) {
     let (axis, half) = (longest.0, triangles.len() / 2);
     select(triangles, half, |triangle| center(positions, triangle, axis));
     let (first, second) = triangles.split_at_mut_checked(half).unwrap_or_default();
-    halve(positions, first);
-    halve(positions, second);
+    halve(positions, first, leaf);
+    halve(positions, second, leaf);
 }
 
 /// Three times the centre along an axis.
-fn center<I: Index>(positions: &[[f32; 3]], triangle: &[I; 3], axis: usize) -> f32 {
+pub(super) fn center<I: Index>(positions: &[[f32; 3]], triangle: &[I; 3], axis: usize) -> f32 {
     triangle.iter().fold(0.0, |sum, corner| {
         let position = positions.get(corner.to_usize()).and_then(|position| position.get(axis));
         sum + position.copied().unwrap_or(0.0)

@@ -1,5 +1,8 @@
 //! The draw that asks before it draws.
 
+#[cfg(any(kani, test))]
+mod proofs;
+
 use super::{
     attachment::RowAttachment,
     batch::Batch,

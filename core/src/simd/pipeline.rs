@@ -1,5 +1,8 @@
 //! From records and triangles to attachments: culling, set-up, blocks.
 
+#[cfg(any(kani, test))]
+mod proofs;
+
 use super::{
     attachment::RowAttachment,
     blocks::{draw_medium, draw_small},

@@ -281,7 +281,12 @@ pub(super) struct Plane<S: Simd> {
 impl<S: Simd> Plane<S> {
     /// Through three corners, clockwise; `area` is the doubled area before they were made so.
     #[inline(always)]
-    fn new(simd: S, [a, b, c]: [Corner<S>; 3], [az, bz, cz]: [u32x16<S>; 3], area: i32x16<S>) -> Self {
+    pub(super) fn new(
+        simd: S,
+        [a, b, c]: [Corner<S>; 3],
+        [az, bz, cz]: [u32x16<S>; 3],
+        area: i32x16<S>,
+    ) -> Self {
         // The anchor is the topmost, then leftmost corner: as `Triangle::new`.
         let before = b.y.simd_lt(a.y) | (b.y.simd_eq(a.y) & b.x.simd_lt(a.x));
         let (anchor, depth) = (Corner::select(before, b, a), before.select(bz, az));

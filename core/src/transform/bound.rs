@@ -91,17 +91,18 @@ pub(super) fn ends_of_box(matrix: &[[f32; 4]; 4], [low, high]: [[f32; 3]; 2]) ->
 
 /// One clip coordinate at a box's corners.
 #[derive(Clone, Copy)]
-struct Corners {
-    values: [f32; 8],
+pub(super) struct Corners {
+    pub(super) values: [f32; 8],
     /// The largest sum of the magnitudes of its terms.
-    size: f32,
+    pub(super) size: f32,
 }
 
 impl Corners {
     #[inline(always)]
-    fn new([m0, m1, m2, m3]: [f32; 4], [x0, y0, z0]: [f32; 3], [x1, y1, z1]: [f32; 3]) -> Self {
+    pub(super) fn new([m0, m1, m2, m3]: [f32; 4], [x0, y0, z0]: [f32; 3], [x1, y1, z1]: [f32; 3]) -> Self {
         let (x0, x1, y0, y1, z0, z1) = (x0 * m0, x1 * m0, y0 * m1, y1 * m1, z0 * m2 + m3, z1 * m2 + m3);
-        let size = |a: f32, b: f32| if a.abs() > b.abs() { a.abs() } else { b.abs() };
+        // NaN where one is.
+        let size = |a: f32, b: f32| if a.abs() >= b.abs() || a.is_nan() { a.abs() } else { b.abs() };
         let (a, b, c, d) = (x0 + y0, x1 + y0, x0 + y1, x1 + y1);
         Self {
             values: [a + z0, b + z0, c + z0, d + z0, a + z1, b + z1, c + z1, d + z1],
@@ -111,7 +112,7 @@ impl Corners {
 
     /// The smallest and the largest quotient by w, whose least is `nearest`, and a margin.
     #[inline(always)]
-    fn quotients(self, w: Self, nearest: f32) -> [f32; 2] {
+    pub(super) fn quotients(self, w: Self, nearest: f32) -> [f32; 2] {
         let mut quotients = self.values;
         for (value, w) in quotients.iter_mut().zip(w.values) {
             *value /= w;
@@ -133,7 +134,7 @@ fn least(values: [f32; 8]) -> f32 {
 /// The pixels whose samples, `offset` px from their left or top, are between two window coordinates or less than
 /// a margin beside: that of rounding, in the viewport's transform and in snapping.
 #[inline(always)]
-fn pixels<F: Format>([first, last]: [f32; 2], offset: f32) -> [u32; 2] {
+pub(super) fn pixels<F: Format>([first, last]: [f32; 2], offset: f32) -> [u32; 2] {
     let margin = |v: f32| v.abs() * MARGIN + 1.0 / Bounds::<F>::STEPS_PER_PIXEL as f32;
     // Towards zero: -0.5 becomes pixel 0, as it should. Beyond the range, its ends.
     let (first, last) = (first - offset - margin(first), last - offset + margin(last));

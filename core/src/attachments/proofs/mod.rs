@@ -1,6 +1,7 @@
 //! Proofs of the attachments.
 
 mod depth;
+mod hidden;
 mod hierarchical;
 mod one_lane;
 mod samples;

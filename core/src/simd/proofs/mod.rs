@@ -1,8 +1,10 @@
 //! Proofs of the fast path in registers of four lanes: plain arrays for a prover, the baseline's own for
 //! tests. Other levels differ where the code asks for the width of the registers.
 
+mod batch;
 mod blocks;
 mod bounds;
+mod cluster;
 mod crossings;
 mod depth;
 mod edges;
@@ -33,7 +35,7 @@ use fearless_simd::x86::Sse2 as Vectors;
 
 /// The token of the registers.
 #[inline(always)]
-fn simd() -> Vectors {
+pub(super) fn simd() -> Vectors {
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     let found = fearless_simd::Level::baseline().as_sse2();
     #[cfg(target_arch = "aarch64")]

@@ -1,11 +1,18 @@
 //! Depths and gradients of sixteen triangles.
 
 use super::{
-    super::setup::{DepthSetup, gradient, gradients, half, unorm16},
-    LANES, Vectors, Words, doubles, longs, simd, words,
+    super::{
+        extent::SMALL_EXTENT,
+        fetch::{Corner, Records},
+        ops,
+        setup::{Batch, DepthSetup, Plane, gradient, gradients, half, set_up, unorm16},
+    },
+    LANES, Vectors, Words, doubles, ints, longs, simd, words,
 };
 use crate::{
-    numbers::{self, DEPTH16_MAX, DEPTH16_MIN},
+    draw::State,
+    geometry::{self, Region, Vertex},
+    numbers::{self, DEPTH16_MAX, DEPTH16_MIN, Standard},
     proof::{assume, cover, prove},
 };
 use fearless_simd::{f64x8, prelude::*};
@@ -27,7 +34,62 @@ pub(super) fn gradient_is_nearest(numerator: i64, area: i32) {
     cover!(numerator == -5);
 }
 
+/// Sixteen times the same corners.
+#[inline(always)]
+fn corners(places: [[i32; 2]; 3]) -> [Corner<Vectors>; 3] {
+    places.map(|[x, y]| Corner { x: ops::splat(simd(), x), y: ops::splat(simd(), y) })
+}
+
 prove! {
+    /// The depths are counted from the topmost, then leftmost corner.
+    [Plane::new, Corner::select]
+    fn planes_begin_at_the_topmost_corner(
+        places: [[i32; 2]; 3] = [[-SMALL_EXTENT; 2]; 3]..=[[SMALL_EXTENT; 2]; 3],
+        depths: [u32; 3],
+    ) {
+        let depths = depths.map(|z| Words::splat(simd(), z));
+        let plane = Plane::new(simd(), corners(places), depths, ops::splat(simd(), 1));
+        let (x, y) = (ints(plane.anchor.x)[LANES[1]], ints(plane.anchor.y)[LANES[1]]);
+        let mut found = false;
+        for ([px, py], depth) in places.into_iter().zip(depths) {
+            assert!((y, x) <= (py, px));
+            found |= (y, x) == (py, px) && words(plane.depth)[LANES[1]] == words(depth)[LANES[1]];
+        }
+        assert!(found);
+        cover!(places[2][1] == y && places[1][1] == y && places[2][0] < places[1][0]);
+    }
+
+    /// A plane's gradients are those of its corners: one step apart to the right, of 1024 depths.
+    [Plane::new, gradients, gradient]
+    fn planes_have_the_gradient_of_their_corners(z: u32 = 0..=1023) {
+        let depths = [5000, 5000 + z, 5000].map(|z| Words::splat(simd(), z));
+        let plane = Plane::new(simd(), corners([[0, 0], [1, 0], [0, 1]]), depths, ops::splat(simd(), 1));
+        assert!(longs(plane.x[0])[3] == u64::from(z) << 32 && longs(plane.y[0])[3] == 0);
+        cover!(z == 1000);
+    }
+
+    /// The bounds of triangles that are set up are the scalar ones, and their pixels are counted from the first block's:
+    /// with one corner anywhere near.
+    #[kani::unwind(17)]
+    [set_up_inline, set_up]
+    fn slow_set_up_finds_the_pixels(corner: [i32; 2] = [-1000, 0]..=[3000, 2048]) {
+        let Ok(region) = Region::<Standard>::new(4, 0, 12, 8) else { return };
+        let places = [[1300, 0], [2048, 100], corner];
+        let [Ok(a), Ok(b), Ok(c)] = places.map(|[x, y]| Vertex::<Standard>::new(x, y, 9)) else { return };
+        let state = State::new(region);
+        let records = Records { places: &places.map(|place| place.map(|v| v as u32)), depths: &[9; 3] };
+        let mut batch = Batch::EMPTY;
+        let known = set_up(simd(), records, &[[0_u16, 1, 2]; 16], region, &state, DepthSetup::None, &mut batch);
+        assert!(known.is_some());
+        if let Ok(expected) = geometry::Extent::of([a, b, c]).bounds(state.sample, region) {
+            let found = batch.bounds.map(|lanes| lanes[LANES[1]] as u32);
+            assert!(found == [expected.x0(), expected.x1(), expected.y0(), expected.y1()]);
+            assert!(batch.crossings.first[LANES[1]] == (expected.x0() % 4) as f32);
+            assert!(batch.small & batch.medium == 0 && (batch.small | batch.medium) >> LANES[1] & 1 == 1);
+            cover!(expected.x0() == 5 && expected.y1() == 3);
+        }
+    }
+
     /// Small numerators and areas.
     [gradient]
     fn slow_gradients_of_small_areas(numerator: i64 = -15..=15, area: i32 = 1..=7) {

@@ -1,6 +1,6 @@
 //! Sorting.
 
-use super::super::sort::sort;
+use super::super::sort::{select, sort};
 use crate::proof::{cover, prove};
 
 prove! {
@@ -14,5 +14,17 @@ prove! {
         let count = |keys: [u64; 4]| keys.iter().filter(|&&k| k == key).count();
         assert!(count(sorted) == count(keys));
         cover!(keys[0] > keys[1] && keys[1] > keys[2] && keys[2] > keys[3]);
+    }
+
+    /// Of two floats, whatever their bits, either rank is put in its place; both are still there.
+    #[kani::unwind(5)]
+    [select, swap]
+    fn two_are_parted(keys: [u32; 2], nth: usize = 0..=1) {
+        let mut parted = keys;
+        select(&mut parted, nth, |&key| f32::from_bits(key));
+        let [first, second] = parted;
+        assert!(f32::from_bits(first).total_cmp(&f32::from_bits(second)).is_le());
+        assert!(parted == keys || [second, first] == keys);
+        cover!(nth == 1 && parted != keys);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{
     super::{
-        meshlet::Builder,
+        meshlet::{Builder, Meshlet, MeshletError, VERTICES, make_meshlets},
         sort::{select, sort},
     },
     setup::gradient_is_nearest,
@@ -39,6 +39,22 @@ prove! {
         assert!(meshlet.vertices() == distinct);
         cover!(distinct == 4);
         cover!(distinct == 1);
+    }
+
+    /// A triangle becomes a meshlet where there is room for one, the places left holding its last vertex.
+    []
+    fn meshlets_are_made_where_there_is_room(bits: [u32; 3], given: usize = 0..=1) {
+        let positions = bits.map(|bits| [f32::from_bits(bits); 3]);
+        let mut memory = [Meshlet::EMPTY];
+        match make_meshlets(&positions, &[0_u8, 1, 2], &mut memory[..given]) {
+            Err(error) => assert!(given == 0 && error == MeshletError::TooFew { needed: 1, given }),
+            Ok(made) => {
+                assert!(given == 1 && made.len() == 1 && made[0].triangles() == (0..1));
+                let [x, ..] = made[0].positions.map(|axis| axis.map(f32::to_bits));
+                assert!(x[0] == bits[0] && x[1] == bits[1] && x[2] == bits[2] && x[VERTICES - 1] == bits[2]);
+            }
+        }
+        cover!(given == 1);
     }
 
     /// More elements, many of them equal, come out in order, and are the same.

@@ -2,7 +2,8 @@
 
 use super::{
     super::vertex::{
-        PLANES, SPECIAL, Snapped, VertexLanes, frustum_code, snap, snap_one, split, transpose3, unorm32,
+        PLANES, SPECIAL, Snapped, VertexLanes, frustum_code, snap, snap_one, split, stage, transpose3,
+        unorm32,
     },
     Floats, LANES, floats, ints, simd, words,
 };
@@ -95,6 +96,23 @@ prove! {
             assert!((places[lane][0] as i32) <= SPECIAL + PLANES);
             assert!((DEPTH32_MIN..=DEPTH32_MAX).contains(&depths[lane]));
         }
+    }
+
+    /// Of seventeen vertices the first sixteen and the last one are all staged, and the same where they are the same:
+    /// without a w, whatever their coordinates.
+    #[kani::unwind(18)]
+    [stage, snap_one, VertexLanes::sixteen]
+    fn all_vertices_are_staged(bits: [u32; 3]) {
+        let Ok(region) = Region::of_size(64, 64) else { return };
+        let positions = [bits.map(f32::from_bits); 17];
+        let source = ModelPositions::new(&positions, [[0.0; 4]; 4], Viewport::new(region));
+        let (mut places, mut depths) = ([[0; 2]; 17], [0; 17]);
+        stage(simd(), &source, &mut places, &mut depths);
+        assert!((places[16][0] as i32) <= SPECIAL + PLANES);
+        for lane in LANES {
+            assert!(places[lane][0] == places[16][0]);
+        }
+        cover!(places[16][0] == SPECIAL as u32);
     }
 
     /// Scratch memory is split into a place and a depth for each vertex.

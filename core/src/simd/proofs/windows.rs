@@ -53,7 +53,44 @@ fn are_of_rows<const COLUMNS: usize>(pairs: &[u32], rows: [u32; 4]) -> bool {
     same
 }
 
+/// Sixteen triangles of five rows whose right edge leaves the same pixels in each: their masks, and whether they have a
+/// sample.
+#[inline(always)]
+fn windows_are_those_of_the_edge(value: i32, small: u32, medium: u32) {
+    let mut batch = one_edge(value, -7, 8.0);
+    batch.bounds = [[0; 16], [8; 16], [0; 16], [8; 16]];
+    (batch.small, batch.medium) = (small, medium);
+    let mut windows = Windows::EMPTY;
+    let sampled = windows.fill(simd(), &batch, 0xFFFF);
+    assert!(sampled >> 6 & 1 == u32::from(value >= 0));
+    let mut rows = windows.rows(6);
+    let (Some([first, ..]), Some([second, ..])) = (rows.next(), rows.next()) else {
+        unreachable!("there are sixteen")
+    };
+    assert!(first == second);
+    for x in 0..8 {
+        let inside = value - 7 * x >= 0;
+        let column = first >> (16 * (x / 4) + x % 4) & 0x1111;
+        assert!(column == if inside { 0x1111 } else { 0 });
+    }
+    cover!(first == 0x1111_FFFF);
+}
+
 prove! {
+    /// The windows of small triangles have the samples of their edges, and there is a bit for those with one.
+    #[kani::unwind(17)]
+    [Windows::fill, Windows::fill_rows]
+    fn slow_small_windows_have_their_samples(value: i32 = 28..=43) {
+        windows_are_those_of_the_edge(value, 0xFFFF, 0);
+    }
+
+    /// The same of medium ones.
+    #[kani::unwind(17)]
+    [Windows::fill, Windows::fill_rows]
+    fn slow_medium_windows_have_their_samples(value: i32 = -64..=63) {
+        windows_are_those_of_the_edge(value, 0, 0xFFFF);
+    }
+
     /// Four rows of up to 30 bits, sorted into the masks of 4x4 blocks.
     #[kani::unwind(31)]
     [wide, merge]

@@ -1,5 +1,6 @@
 //! Proofs of the way from clip space to the window.
 
+mod bound;
 mod clip;
 mod cut;
 mod frustum;

@@ -9,6 +9,7 @@ use crate::{
     numbers::{Format, Small, Standard},
     proof::{assume, cover, prove},
     transform::{
+        bound::Corners,
         plane::Plane,
         triangulate::{corner, remove_flat, triangulate, turn, winding},
     },
@@ -40,6 +41,15 @@ fn is_cut_into_triangles<const N: usize>(places: [[i32; 2]; N]) {
 }
 
 prove! {
+    /// The size of a clip coordinate is no less than its magnitude at any corner, and none where one is no number.
+    []
+    fn sizes_are_the_largest(low: u32, high: u32, at: usize = 0..=7) {
+        let (low, high) = (f32::from_bits(low), f32::from_bits(high));
+        let found = Corners::new([-1.0, 1.0, 1.0, 0.5], [low, -3.0, 1.0], [high, 2.0, 7.0]);
+        assert!(!found.size.is_finite() || found.values[at].abs() <= found.size);
+        cover!(found.size == 1000.0);
+    }
+
     /// The same to the right.
     []
     fn right_cut_keeps_signs(inside: [u32; 2], outside: [u32; 2]) {

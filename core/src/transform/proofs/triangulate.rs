@@ -2,11 +2,11 @@
 
 use crate::{
     geometry::Vertex,
-    numbers::{Bounds, Format, Small, Standard},
+    numbers::{Bounds, DEPTH32_MAX, DEPTH32_MIN, Format, Small, Standard},
     proof::{cover, prove},
     transform::{
         clip::Polygon,
-        triangulate::{corner, is_ear, turn},
+        triangulate::{corner, is_ear, remove_flat, turn},
     },
 };
 use core::cmp::Ordering;
@@ -70,6 +70,32 @@ prove! {
     [turn, doubled_area, i32::product]
     fn small_turn_is_the_sign_of_the_area(places: [i32; 6] = [-SMALL; 6]..=[SMALL; 6]) {
         turns::<Small>(places);
+    }
+
+    /// Vertices on the line through their neighbours are taken out, one after another; the others stay, in their order,
+    /// with their depths, whatever these are.
+    #[kani::unwind(18)]
+    [remove_flat, corner, turn]
+    fn flat_corners_are_taken_out(depths: [u32; 5]) {
+        let cases: [([[i32; 2]; 5], &[usize]); 4] = [
+            ([[0, 0], [2, 1], [4, 2], [4, 4], [0, 4]], &[0, 2, 3, 4]),
+            ([[0, 0], [2, 1], [4, 2], [6, 3], [0, 4]], &[0, 3, 4]),
+            ([[2, 0], [4, 0], [4, 4], [0, 4], [0, 0]], &[1, 2, 3, 4]),
+            ([[0, 0], [1, 1], [2, 2], [3, 3], [1, 1]], &[]),
+        ];
+        for (places, expected) in cases {
+            let Ok(first) = Vertex::<Small>::new(0, 0, 0) else { return };
+            let mut polygon = Polygon::empty(first);
+            for ([x, y], z) in places.into_iter().zip(depths) {
+                polygon.push(Vertex::new(x, y, z).unwrap_or(first));
+            }
+            remove_flat(&mut polygon);
+            let left = polygon.vertices();
+            assert!(left.len() == expected.len());
+            for (vertex, &at) in left.iter().zip(expected) {
+                assert!([vertex.x(), vertex.y()] == places[at] && vertex.z() == depths[at].clamp(DEPTH32_MIN, DEPTH32_MAX));
+            }
+        }
     }
 
     /// The corner of a quadrangle is an ear where it turns with it and does not hold the fourth vertex.
