@@ -1,7 +1,7 @@
 //! Square roots, as `core` has none.
 
 /// A little more than the root of a number that is not negative: by a factor of less than 1 + 2^-38, where the number
-/// is not below the smallest normal one. Infinity and NaN stay what they are.
+/// is not below the smallest normal one. Infinity and NaN give NaN.
 ///
 /// Half the exponent is a first estimate, at most 6.1 per cent too large and never too small. Each of Heron's steps,
 /// y to (y + x / y) / 2, leaves half the square of the relative error and, apart from rounding, nothing below the root.
