@@ -12,6 +12,8 @@ pub use error::DrawError;
 pub use index::Index;
 pub use instances::instance_of;
 pub use state::State;
+#[cfg(feature = "simd")]
+pub(crate) use statistics::add;
 pub use statistics::{CulledCounts, RejectedCounts, Statistics};
 
 use crate::{

@@ -85,12 +85,20 @@ impl Statistics {
     }
 }
 
-pub(super) fn add(count: &mut u32, more: u32) {
+/// Adds to a count, which saturates.
+pub(crate) fn add(count: &mut u32, more: u32) {
     *count = count.saturating_add(more);
 }
 
 impl AddAssign for Statistics {
     fn add_assign(&mut self, more: Self) {
+        self.include(more);
+    }
+}
+
+impl Statistics {
+    /// Adds those of other triangles.
+    pub(crate) fn include(&mut self, more: Self) {
         add(&mut self.submitted, more.submitted);
         add(&mut self.drawn, more.drawn);
         add(&mut self.culled.facing, more.culled.facing);

@@ -115,7 +115,7 @@ pub fn draw_meshlets<A: RowAttachment>(
     let camera = ModelPositions::new(&[], matrix, viewport);
     let triangles = meshlets.iter().map(|meshlet| meshlet.corners().len()).sum();
     // The last id, of meshlets in any order.
-    let ids = meshlets.iter().map(|m| m.first() as usize + m.corners().len()).max().unwrap_or(0);
+    let ids = meshlets.iter().map(Meshlet::end).max().unwrap_or(0);
     draw::check_draw(&camera, ids, first_id, state, attachments)?;
     let (submitted, area) = draw::check_draw(&camera, triangles, 0, state, attachments)?;
     let mut statistics = Statistics::default();
@@ -123,8 +123,8 @@ pub fn draw_meshlets<A: RowAttachment>(
         for meshlet in meshlets {
             let positions = MeshletPositions { meshlet, camera: &camera };
             let first = first_id.saturating_add(meshlet.first());
-            statistics +=
-                draw::draw(&positions, meshlet.corners().as_flattened(), first, state, attachments)?;
+            let corners = meshlet.corners().as_flattened();
+            statistics.include(draw::draw(&positions, corners, first, state, attachments)?);
         }
         return Ok(statistics);
     };
@@ -150,7 +150,7 @@ pub fn draw_meshlets<A: RowAttachment>(
                             sides.excludes_box(corners) && unclipped.contains_box(corners)
                         };
                         if frustum.excludes_box(corners) || beside.is_some_and(is_beside) {
-                            statistics.culled.outside += meshlet.corners().len() as u32;
+                            draw::add(&mut statistics.culled.outside, meshlet.count());
                         } else {
                             scratch.add(simd, &lanes, meshlet, number);
                         }

@@ -26,9 +26,9 @@ pub struct Meshlet {
     cone: Option<Cone>,
     /// How many vertices and triangles there are.
     vertices: u8,
-    triangles: u8,
+    pub(super) triangles: u8,
     /// The number of the first triangle in the mesh.
-    first: u32,
+    pub(super) first: u32,
     /// x, y and z of the vertices, and of the last one again in the places left.
     pub(super) positions: [[f32; VERTICES]; 3],
     corners: [[u8; 3]; TRIANGLES],
@@ -90,26 +90,37 @@ pub fn make_meshlets<'m, I: Index>(
         return Err(MeshletError::Indices(error));
     }
     let given = meshlets.len();
-    let mut needed = 0;
+    let mut made = Made { meshlets, count: 0 };
     let mut builder = Builder::new(0);
     for (number, corners) in (0..).zip(triangles) {
         let corners = corners.map(Index::to_u32);
         if !builder.add(corners, positions) {
-            if let Some(meshlet) = meshlets.get_mut(needed) {
-                *meshlet = builder.finish();
-            }
-            needed += 1;
+            made.push(&builder);
             builder = Builder::new(number);
             builder.add(corners, positions);
         }
     }
     if builder.meshlet.triangles > 0 {
-        if let Some(meshlet) = meshlets.get_mut(needed) {
-            *meshlet = builder.finish();
-        }
-        needed += 1;
+        made.push(&builder);
     }
+    let Made { meshlets, count: needed } = made;
     meshlets.get_mut(..needed).ok_or(MeshletError::TooFew { needed, given })
+}
+
+/// Meshlets that were made, of which there may be more than there is room for.
+pub(super) struct Made<'m> {
+    pub(super) meshlets: &'m mut [Meshlet],
+    pub(super) count: usize,
+}
+
+impl Made<'_> {
+    /// Finishes one and counts it.
+    pub(super) fn push(&mut self, builder: &Builder) {
+        if let Some(to) = self.meshlets.get_mut(self.count) {
+            *to = builder.finish();
+        }
+        self.count += 1;
+    }
 }
 
 /// A meshlet in the making.
@@ -158,19 +169,20 @@ impl Builder {
     }
 
     /// The meshlet, its places without a vertex filled, and the cone of its normals.
-    fn finish(&mut self) -> Meshlet {
-        let vertices = usize::from(self.meshlet.vertices);
-        for axis in &mut self.meshlet.positions {
+    fn finish(&self) -> Meshlet {
+        let mut finished = self.meshlet;
+        let vertices = usize::from(finished.vertices);
+        for axis in &mut finished.positions {
             let last = axis.get(vertices.wrapping_sub(1)).copied().unwrap_or(0.0);
             for value in axis.iter_mut().skip(vertices) {
                 *value = last;
             }
         }
-        let meshlet = &self.meshlet;
+        let meshlet = &finished;
         let place = |at: u8| meshlet.position(usize::from(at)).unwrap_or([f32::NAN; 3]);
         let triangles = meshlet.corners().iter().map(|corners| corners.map(place));
-        self.meshlet.cone = Cone::new(cone::middle(meshlet.corners_of_box()), triangles);
-        self.meshlet
+        let cone = Cone::new(cone::middle(meshlet.corners_of_box()), triangles);
+        Meshlet { cone, ..finished }
     }
 }
 
@@ -224,6 +236,16 @@ impl Meshlet {
     #[must_use]
     pub fn triangles(&self) -> core::ops::Range<u32> {
         self.first..self.first.saturating_add(u32::from(self.triangles))
+    }
+
+    /// How many triangles there are.
+    pub(super) const fn count(&self) -> u32 {
+        self.triangles as u32
+    }
+
+    /// The number after that of its last triangle.
+    pub(super) fn end(&self) -> usize {
+        self.triangles().end as usize
     }
 
     /// How many vertices there are.

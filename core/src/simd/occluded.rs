@@ -34,6 +34,17 @@ pub struct BatchOrder(u64);
 impl BatchOrder {
     /// To fill arrays with.
     pub const NEW: Self = Self(0);
+
+    /// By distance, then by place. Positive floats have the order of their bits; all others become 0.
+    pub(super) fn of(distance: f32, place: u32) -> Self {
+        let distance = if distance > 0.0 { distance } else { 0.0 };
+        Self(u64::from(distance.to_bits()) << 32 | u64::from(place))
+    }
+
+    /// The place.
+    pub(super) const fn place(self) -> usize {
+        self.0 as u32 as usize
+    }
 }
 
 /// What was asked in a draw of batches, and how often the answer was "hidden".
@@ -85,7 +96,7 @@ pub fn draw_batches<A: RowAttachment + Occluder>(
 ) -> Result<(Statistics, Occlusion), DrawError> {
     let camera = ModelPositions::new(&[], matrix, viewport);
     let members = || batches.iter().flat_map(|batch| batch.meshlets(meshlets));
-    let ids = members().map(|m| m.first() as usize + m.corners().len()).max().unwrap_or(0);
+    let ids = members().map(Meshlet::end).max().unwrap_or(0);
     draw::check_draw(&camera, ids, first_id, state, attachments)?;
     let triangles = members().map(|m| m.corners().len()).sum();
     let (submitted, area) = draw::check_draw(&camera, triangles, 0, state, attachments)?;
@@ -101,7 +112,7 @@ pub fn draw_batches<A: RowAttachment + Occluder>(
     };
     let Some(area) = area else {
         // Nothing can be seen; triangles are counted by what they are.
-        members().for_each(|meshlet| statistics += by_definition(meshlet, attachments));
+        members().for_each(|meshlet| statistics.include(by_definition(meshlet, attachments)));
         return Ok((statistics, Occlusion::default()));
     };
     let frustum = Frustum::of_area(&matrix, &viewport, area);
@@ -109,12 +120,12 @@ pub fn draw_batches<A: RowAttachment + Occluder>(
     let order = front_to_back(batches, &matrix, order, |batch| {
         let excluded = frustum.excludes_box(batch.corners());
         if excluded {
-            outside += triangles_of(batch.meshlets(meshlets));
+            draw::add(&mut outside, triangles_of(batch.meshlets(meshlets)));
         }
         !excluded
     });
     statistics.culled.outside = outside;
-    let order = order.iter().filter_map(|key| batches.get(key.0 as u32 as usize));
+    let order = order.iter().filter_map(|key| batches.get(key.place()));
     let questions = Questions { frustum, matrix: &matrix, viewport: &viewport, state, area };
     let pass = Pass { meshlets, first_id, questions, facing: Facing::new(&matrix, &viewport, state) };
     let mut occlusion = Occlusion::default();
@@ -150,7 +161,7 @@ pub fn draw_batches<A: RowAttachment + Occluder>(
             &mut occlusion,
             &mut statistics,
             attachments,
-            |_, meshlet, attachments, statistics| *statistics += by_definition(meshlet, attachments),
+            |_, meshlet, attachments, statistics| statistics.include(by_definition(meshlet, attachments)),
         ),
     }
     Ok((statistics, occlusion))
@@ -164,12 +175,11 @@ fn front_to_back<'o>(
     mut keep: impl FnMut(&Batch) -> bool,
 ) -> &'o [BatchOrder] {
     let mut kept = 0;
-    for (place, batch) in (0u64..).zip(batches) {
+    for (place, batch) in (0..).zip(batches) {
         if keep(batch)
             && let Some(key) = order.get_mut(kept)
         {
-            // Floats that are not negative have the order of their bits; NaN becomes 0.
-            key.0 = u64::from(batch.distance(matrix).max(0.0).to_bits()) << 32 | place;
+            *key = BatchOrder::of(batch.distance(matrix), place);
             kept += 1;
         }
     }
@@ -179,15 +189,15 @@ fn front_to_back<'o>(
 }
 
 /// Whether questions about meshlets are worth their time: each costs, and each answer "hidden" pays for several.
-struct Worth(u32);
+pub(super) struct Worth(pub(super) u32);
 
 impl Worth {
     /// Questions that go on without an answer "hidden".
-    const NEW: Self = Self(96);
+    pub(super) const NEW: Self = Self(96);
 
     /// Whether to ask.
     #[inline(always)]
-    const fn asking(&mut self) -> bool {
+    pub(super) const fn asking(&mut self) -> bool {
         let asking = self.0 > 0;
         self.0 = self.0.saturating_sub(1);
         asking
@@ -195,7 +205,7 @@ impl Worth {
 
     /// A batch or a meshlet was hidden.
     #[inline(always)]
-    const fn hidden(&mut self) {
+    pub(super) const fn hidden(&mut self) {
         self.0 = if self.0 + 32 < Self::NEW.0 { self.0 + 32 } else { Self::NEW.0 };
     }
 }
@@ -225,34 +235,34 @@ impl<'a> Pass<'a> {
         let mut worth = Worth::NEW;
         for batch in order {
             let members = batch.meshlets(self.meshlets);
-            occlusion.batches += 1;
+            draw::add(&mut occlusion.batches, 1);
             if self.questions.ask::<L, _, A>(token, batch.corners(), attachments) != Visibility::Visible {
-                occlusion.hidden_batches += 1;
+                draw::add(&mut occlusion.hidden_batches, 1);
                 worth.hidden();
-                statistics.culled.hidden += triangles_of(members);
+                draw::add(&mut statistics.culled.hidden, triangles_of(members));
                 continue;
             }
             for (number, meshlet) in (batch.first()..).zip(members) {
                 let corners = [meshlet.low, meshlet.high];
-                let count = meshlet.corners().len() as u32;
+                let count = meshlet.count();
                 if self.questions.frustum.excludes_box(corners) {
-                    statistics.culled.outside += count;
+                    draw::add(&mut statistics.culled.outside, count);
                     continue;
                 }
                 if self.facing.as_ref().is_some_and(|facing| facing.culls(meshlet)) {
-                    occlusion.facing_meshlets += 1;
-                    statistics.culled.facing += count;
+                    draw::add(&mut occlusion.facing_meshlets, 1);
+                    draw::add(&mut statistics.culled.facing, count);
                     continue;
                 }
                 if !worth.asking() {
                     draw(number, meshlet, attachments, statistics);
                     continue;
                 }
-                occlusion.meshlets += 1;
+                draw::add(&mut occlusion.meshlets, 1);
                 if self.questions.ask::<L, _, A>(token, corners, attachments) != Visibility::Visible {
-                    occlusion.hidden_meshlets += 1;
+                    draw::add(&mut occlusion.hidden_meshlets, 1);
                     worth.hidden();
-                    statistics.culled.hidden += count;
+                    draw::add(&mut statistics.culled.hidden, count);
                     continue;
                 }
                 draw(number, meshlet, attachments, statistics);
@@ -262,7 +272,7 @@ impl<'a> Pass<'a> {
 }
 
 fn triangles_of(meshlets: &[Meshlet]) -> u32 {
-    meshlets.iter().map(|meshlet| meshlet.corners().len() as u32).sum()
+    meshlets.iter().map(Meshlet::count).sum()
 }
 
 /// A draw in vector registers, of some meshlets at a time.

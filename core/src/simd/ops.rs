@@ -33,6 +33,47 @@ pub(super) fn bits<S: Simd>(mask: mask32x16<S>) -> u32 {
     mask.to_bitmask() as u32
 }
 
+/// A bit for each of the first lanes, sixteen at most.
+#[inline(always)]
+pub(super) const fn first_lanes(count: usize) -> u32 {
+    let count = if count < 16 { count } else { 16 };
+    0xFFFF >> (16 - count)
+}
+
+/// Whether a lane's bit is set, of the first 32.
+#[inline(always)]
+pub(super) const fn has_lane(mask: u32, lane: usize) -> bool {
+    mask >> (lane & 31) & 1 != 0
+}
+
+/// A mask without a lane, of the first 32.
+#[inline(always)]
+pub(super) const fn without_lane(mask: u32, lane: usize) -> u32 {
+    mask & !(1 << (lane & 31))
+}
+
+/// The lanes whose bits are set, from the lowest.
+#[inline(always)]
+pub(super) fn lanes_of(mut mask: u32) -> impl Iterator<Item = usize> {
+    core::iter::from_fn(
+        #[inline(always)]
+        move || {
+            let lane = mask.trailing_zeros();
+            if mask == 0 {
+                return None;
+            }
+            mask &= mask - 1;
+            Some(lane as usize)
+        },
+    )
+}
+
+/// One of sixteen.
+#[inline(always)]
+pub(super) const fn of_lane(numbers: &[u32; 16], lane: usize) -> u32 {
+    numbers[lane & 15]
+}
+
 /// The least integers not below floats from -2^30 to 2^30.
 #[inline(always)]
 pub(super) fn ceil<S: Simd>(simd: S, value: f32x16<S>) -> i32x16<S> {

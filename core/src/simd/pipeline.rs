@@ -8,7 +8,7 @@ use super::{
     blocks::{draw_medium, draw_small},
     cull::{Culling, Verdict, padded},
     fetch::Records,
-    ops::bits,
+    ops::{bits, first_lanes, has_lane, lanes_of, of_lane, without_lane},
     queue::Queue,
     rows::{Solved, draw_double, draw_single},
     setup::{Batch, DepthSetup, set_up},
@@ -73,7 +73,7 @@ impl<S: Simd, L: Index, P: Source> Drawing<'_, S, L, P> {
                 Some(sixteen) => (sixteen, 0xFFFF),
                 None => {
                     last = padded(rest);
-                    (&last, (1 << rest.len()) - 1)
+                    (&last, first_lanes(rest.len()))
                 }
             };
             let verdict = culling.sixteen(self.records, sixteen, present);
@@ -197,30 +197,29 @@ impl<S: Simd, L: Index, P: Source> Drawing<'_, S, L, P> {
         attachments: &mut A,
         statistics: &mut Statistics,
     ) {
-        let present = 0xFFFF >> (16 - count.min(16));
+        let present = first_lanes(count);
         let triangles = self.sixteen(numbers);
         let known = set_up(self.simd, self.records, &triangles, self.area, self.state, A::DEPTH, batch);
         // Indices were checked before.
         let Some(()) = known else { return };
         let sampled = windows.fill(self.simd, batch, present);
         let (small, medium) = (batch.small, batch.medium);
-        let mut left = present & (sampled | !(small | medium));
-        let mut drawn = left.count_ones();
-        while left != 0 {
-            let lane = left.trailing_zeros() as usize;
-            left &= left - 1;
-            let id = self.source.id(numbers[lane & 15]);
-            if small >> lane & 1 != 0 {
+        let mut drawn = present & (sampled | !(small | medium));
+        for lane in lanes_of(drawn) {
+            let id = self.source.id(of_lane(numbers, lane));
+            if has_lane(small, lane) {
                 draw_small(self.simd, batch, windows, lane, id, attachments);
-            } else if medium >> lane & 1 != 0 {
+            } else if has_lane(medium, lane) {
                 draw_medium(self.simd, batch, windows, lane, id, attachments);
             } else {
                 let solved = Solved::from_batch(batch, lane);
-                drawn -= u32::from(!draw_single(self.simd, &solved, self.area, id, attachments));
+                if !draw_single(self.simd, &solved, self.area, id, attachments) {
+                    drawn = without_lane(drawn, lane);
+                }
             }
         }
-        statistics.drawn += drawn;
-        statistics.culled.no_sample += count as u32 - drawn;
+        draw::add(&mut statistics.drawn, drawn.count_ones());
+        draw::add(&mut statistics.culled.no_sample, (present & !drawn).count_ones());
     }
 
     /// Draws one triangle by way of the scalar clip and set-up.

@@ -57,7 +57,7 @@ prove! {
     /// The answer is that of every pixel, for the columns of one square, of parts of both, and of all: two of the
     /// depths and the one asked about are any.
     #[kani::unwind(18)]
-    [HierarchicalDepth::hides_with, HierarchicalDepth::look, HierarchicalDepth::shows, Tiled::row]
+    [HierarchicalDepth::hides_with, HierarchicalDepth::look, HierarchicalDepth::shows, Tiled::rows]
     fn hidden_is_hidden_at_every_pixel(nearest: u32, pixels: [u32; 2]) {
         for columns in [[0, 16], [1, 3], [2, 18], [17, 20]] {
             answers_are_exact(DepthTest::LESS, nearest, 1000, pixels, &[columns]);

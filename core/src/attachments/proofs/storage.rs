@@ -196,22 +196,26 @@ prove! {
         cover!(last.is_some_and(|last| last > 1 << 12));
     }
 
-    /// In the row at y, a part that begins with a block has the blocks that it touches, from its first to its last.
+    /// In each of its rows, a part has the blocks that it touches, from its first to its last.
     #[kani::unwind(17)]
-    [Tiled::row, Tiled::index]
-    fn a_row_has_the_blocks_of_a_part(first: u32 = 0..=4, end: u32 = 1..=20, y: u32 = 0..=15) {
-        let (Ok(region), Ok(part)) = (Region::<Small>::new(8, 4, 28, 16), Region::new(8 + 4 * first, 4, 8 + end, 16))
+    [Tiled::rows, Tiled::index]
+    fn rows_have_the_blocks_of_a_part(left: u32 = 0..=19, right: u32 = 1..=20, top: u32 = 0..=11, bottom: u32 = 1..=12) {
+        let (Ok(region), Ok(part)) =
+            (Region::<Small>::new(8, 4, 28, 16), Region::new(8 + left, 4 + top, 8 + right, 4 + bottom))
         else {
             return;
         };
         let mut numbers = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14];
         let Ok(tiled) = Tiled::new(region, &mut numbers) else { unreachable!("there are enough") };
-        let row = tiled.row(part, y);
-        assert!(row.len() == if y < 4 { 0 } else { ((end + 3) / 4 - first) as usize });
-        for (number, found) in (y / 4 * 5 + first..).zip(row) {
-            assert!(number == found + 5);
+        let mut count = 0;
+        for row in tiled.rows(part) {
+            assert!(row.len() as u32 == right.div_ceil(4) - left / 4);
+            assert!(row.first() == Some(&((top / 4 + count) * 5 + left / 4)));
+            assert!(row.last() == Some(&((top / 4 + count) * 5 + right.div_ceil(4) - 1)));
+            count += 1;
         }
-        cover!(row.len() == 3 && y == 15 && end == 18);
+        assert!(count == bottom.div_ceil(4) - top / 4);
+        cover!(count == 2 && left == 5 && right == 18);
     }
 
     /// An area that is not all inside is told with both rectangles.

@@ -1,6 +1,6 @@
 //! Batches from front to back.
 
-use super::{BatchOrder, front_to_back, triangles_of};
+use super::{BatchOrder, Worth, front_to_back, triangles_of};
 use crate::{
     proof::{assume, cover, prove},
     simd::{
@@ -20,6 +20,36 @@ fn meshlet(triangles: u32) -> Meshlet {
 }
 
 prove! {
+    /// Batches are ordered by their distances first, NaN and what is below 0 being 0, then by their places, which come
+    /// out again.
+    [BatchOrder::of, BatchOrder::place]
+    fn orders_are_by_distance(first: u32, second: u32, places: [u32; 2]) {
+        let [near, far] = [first, second].map(f32::from_bits);
+        let keys = [BatchOrder::of(near, places[0]), BatchOrder::of(far, places[1])];
+        assert!(keys[0].place() == places[0] as usize);
+        let [near, far] = [near, far].map(|distance| if distance > 0.0 { distance } else { 0.0 });
+        let by_place = near == far && places[0] < places[1];
+        assert!((keys[0].0 < keys[1].0) == (near < far || by_place));
+        cover!(near < far && places[0] > places[1]);
+        cover!(by_place && second & 0x7FFF_FFFF == 0 && second > 0);
+    }
+
+    /// Questions go on for as long as there are answers "hidden" now and then: each pays for some, up to a limit.
+    [Worth::asking, Worth::hidden]
+    fn questions_stop_where_nothing_is_hidden(left: u32 = 0..=96, hidden: bool) {
+        let mut worth = Worth(left);
+        if hidden {
+            worth.hidden();
+        }
+        assert!(worth.0 <= Worth::NEW.0 && worth.0 >= left);
+        assert!(!hidden || worth.0 == Worth::NEW.0 || worth.0 == left + 32);
+        let before = worth.0;
+        assert!(worth.asking() == (before > 0));
+        assert!(worth.0 == before.saturating_sub(1));
+        cover!(left == 0 && hidden);
+        cover!(left == 0 && !hidden);
+    }
+
     /// As many triangles as all meshlets have.
     #[kani::unwind(17)]
     [triangles_of]

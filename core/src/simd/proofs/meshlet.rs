@@ -1,7 +1,7 @@
 //! Meshlets in the making.
 
 use super::super::{
-    meshlet::{Builder, Meshlet, TRIANGLES, VERTICES, max_meshlets},
+    meshlet::{Builder, Made, Meshlet, TRIANGLES, VERTICES, max_meshlets},
     window::MeshletScratch,
 };
 use crate::proof::{cover, prove};
@@ -15,6 +15,31 @@ prove! {
         assert!(most as u128 * (VERTICES as u128 / 3) >= triangles as u128);
         assert!(most == 0 || (most as u128 - 1) * (VERTICES as u128 / 3) < triangles as u128);
         cover!(triangles == usize::MAX);
+    }
+
+    /// A meshlet that is finished has the next place, if there is one, and is counted in any case.
+    #[kani::unwind(97)]
+    [Made::push]
+    fn finished_meshlets_are_counted(first: u32, count: usize = 0..=2) {
+        let mut memory = [Meshlet::EMPTY; 2];
+        let mut made = Made { meshlets: &mut memory, count };
+        made.push(&Builder::new(first));
+        assert!(made.count == count + 1);
+        for (place, meshlet) in memory.iter().enumerate() {
+            assert!(meshlet.first() == if place == count { first } else { 0 });
+        }
+        cover!(count == 2 && first > 0);
+        cover!(count == 1 && first > 0);
+    }
+
+    /// The number after the last triangle's, and how many there are; nothing overflows.
+    [Meshlet::end, Meshlet::count]
+    fn meshlets_end_behind_their_triangles(first: u32, triangles: u8) {
+        let mut meshlet = Meshlet::EMPTY;
+        (meshlet.first, meshlet.triangles) = (first, triangles);
+        assert!(meshlet.count() == u32::from(triangles));
+        assert!(meshlet.end() as u64 == (u64::from(first) + u64::from(triangles)).min(u64::from(u32::MAX)));
+        cover!(meshlet.end() == u32::MAX as usize);
     }
 
     /// A vertex widens the box to itself, or without end where it is not finite.

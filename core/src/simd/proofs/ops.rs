@@ -2,7 +2,8 @@
 
 use super::{
     super::ops::{
-        bits, ceil, greatest, i32_to_f64, least, merge, power_of_two, sign_extend, splat, u32_to_f64,
+        bits, ceil, first_lanes, greatest, has_lane, i32_to_f64, lanes_of, least, merge, of_lane,
+        power_of_two, sign_extend, splat, u32_to_f64, without_lane,
     },
     Floats, Ints, LANES, Words, doubles, ints, longs, simd, words,
 };
@@ -26,6 +27,30 @@ prove! {
     [power_of_two, splat]
     fn powers_of_two_are_shifts(n: i32 = 0..=30) {
         assert!(ints(power_of_two(simd(), splat(simd(), n)))[LANES[0]] == 1 << n);
+    }
+
+    /// The first lanes are as many as there are, sixteen at most, and a mask without a lane has all others.
+    [first_lanes, has_lane, without_lane, of_lane]
+    fn first_lanes_are_counted(count: usize, mask: u32, lane: usize = 0..=31, numbers: [u32; 16]) {
+        assert!(first_lanes(count).count_ones() as usize == count.min(16));
+        assert!(has_lane(first_lanes(count), lane) == (lane < count.min(16)));
+        assert!(!has_lane(without_lane(mask, lane), lane));
+        assert!(without_lane(mask, lane) | 1 << lane == mask | 1 << lane);
+        assert!(of_lane(&numbers, lane) == numbers[lane % 16]);
+        cover!(has_lane(mask, lane) && lane == 31);
+    }
+
+    /// The lanes of a mask come once each, from the lowest.
+    #[kani::unwind(9)]
+    [lanes_of]
+    fn lanes_come_from_the_lowest(mask: u32 = 0..=0xFF, shift: u32 = 0..=24) {
+        let mut seen = 0;
+        for lane in lanes_of(mask << shift) {
+            assert!(seen >> lane == 0);
+            seen |= 1 << lane;
+        }
+        assert!(seen == mask << shift);
+        cover!(mask == 0xFF && shift == 24);
     }
 
     /// Each bit is one of `yes` where the mask has it, one of `no` elsewhere.
