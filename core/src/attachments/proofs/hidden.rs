@@ -59,7 +59,7 @@ prove! {
     #[kani::unwind(18)]
     [HierarchicalDepth::hides_with, HierarchicalDepth::look, HierarchicalDepth::shows, Tiled::rows]
     fn hidden_is_hidden_at_every_pixel(nearest: u32, pixels: [u32; 2]) {
-        for columns in [[0, 16], [1, 3], [2, 18], [17, 20]] {
+        for columns in [[0, 16], [3, 5], [2, 18], [17, 20]] {
             answers_are_exact(DepthTest::LESS, nearest, 1000, pixels, &[columns]);
         }
         cover!(nearest == 1001 && pixels == [1001, 7]);
