@@ -77,7 +77,7 @@ fn bins_change_nothing(corner: i32, first_id: u32, chunks: usize, triangles: usi
 
 prove! {
     /// Triangles across the border of two tiles are drawn with their ids, whatever the first one is.
-    [Bins::add_checked, Bins::insert, Bins::draw, Bins::draw_tile, draw_binned]
+    [Bins::add_checked, Bins::insert, Bins::draw_with, Bins::draw_tile, draw_binned_with]
     fn a_draw_through_bins_is_a_draw(first_id: u32 = 0..=u32::MAX - 3) {
         for corner in [960, 1020, 1060, 1088] {
             bins_change_nothing(corner, first_id, 2, 2, TileOrder::Rows);
@@ -85,7 +85,7 @@ prove! {
     }
 
     /// The same with memory for one chunk of entries, so that a triangle in both tiles is taken away again.
-    [Bins::add_checked, Bins::insert, Bins::forget, draw_binned]
+    [Bins::add_checked, Bins::insert, Bins::forget, draw_binned_with]
     fn a_draw_through_too_small_bins_is_a_draw(first_id: u32 = 0..=u32::MAX - 3) {
         for corner in [960, 1020, 1060, 1088] {
             bins_change_nothing(corner, first_id, 1, 1, TileOrder::Hilbert);
