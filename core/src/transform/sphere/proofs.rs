@@ -4,7 +4,7 @@ use super::{Linear, confirmed, dot, ends_of_sphere};
 use crate::{
     geometry::{Region, Sample},
     numbers::{Standard, unorm32},
-    proof::{cover, prove},
+    proof::{cover, prove, which},
     transform::{Bound, Viewport},
 };
 
@@ -23,23 +23,23 @@ const W: Linear = Linear { value: 4.0, slope: [0.5, 1.0, -2.0], size: 8.0 };
 prove! {
     /// A sum of products is that of whole numbers.
     [dot]
-    fn products_of_whole_numbers_are_exact(a: [i32; 3]) {
-        let [x, y, z] = a.map(i64::from);
-        assert!(dot(a.map(f64::from), [3.0, -5.0, 7.0]) == (3 * x - 5 * y + 7 * z) as f64);
-        cover!(x < 0 && y > 0);
+    fn products_of_whole_numbers_are_exact(x: i32 = -64..=63) {
+        assert!(dot([f64::from(x), 4.0, -2.0], [3.0, -5.0, 7.0]) == f64::from(3 * x - 34));
+        assert!(dot([4.0, f64::from(x), -2.0], [3.0, -5.0, 7.0]) == f64::from(-5 * x - 2));
+        assert!(dot([4.0, -2.0, f64::from(x)], [3.0, -5.0, 7.0]) == f64::from(7 * x + 22));
+        cover!(x < 0);
     }
 
     /// A clip coordinate over a sphere: its value in the middle, its slope, and a size that is no less than its
     /// magnitude anywhere. For whole numbers.
     [Linear::new]
-    fn coordinates_over_spheres_are_exact(center: [i32; 3] = [-100; 3]..=[100; 3], radius: i32 = 0..=100) {
-        let [x, y, z] = center;
-        let found = Linear::new([2.0, -3.0, 1.0, 5.0], center.map(|v| v as f32), radius as f32);
-        let value = 2 * x - 3 * y + z + 5;
+    fn coordinates_over_spheres_are_exact(x: i32 = -8..=7, radius: i32 = 0..=7) {
+        let found = Linear::new([2.0, -3.0, 1.0, 5.0], [x as f32, 4.0, -2.0], radius as f32);
+        let value = 2 * x - 9;
         assert!(found.value == f64::from(value));
         assert!(found.slope == [2 * radius, -3 * radius, radius].map(f64::from));
         assert!(f64::from(value.abs() + 6 * radius) <= found.size);
-        cover!(value.abs() + 6 * radius == 500);
+        cover!(x == -3 && radius == 5);
     }
 
     /// What is confirmed as the most of v . u / (1 + b . u) is no less than that, wherever u is along an axis.
@@ -51,56 +51,75 @@ prove! {
         for axis in 0..3 {
             assert!(v[axis] <= most * (1.0 + b[axis]) && -v[axis] <= most * (1.0 - b[axis]));
         }
-        cover!(t == 3 && v == [2.0, 3.0, 0.0] && most < 4.0);
+        cover!(t == 4 && v == [2.0, 3.0, 0.0] && most < 5.0);
         cover!(most == f64::INFINITY);
     }
 
     /// The ends hold the quotients in the middle and where the sphere is furthest along each axis.
     [Linear::quotients, confirmed, dot]
-    fn quotients_of_spheres_lie_between_the_ends(value: i32 = -8..=7) {
-        let x = Linear { value: f64::from(value), slope: [1.0, -2.0, 0.5], size: 16.0 };
-        let [low, high] = x.quotients(W, 1.5).map(f64::from);
-        for axis in 0..3 {
+    fn quotients_of_spheres_lie_between_the_ends(value: u32 = 0..=15) {
+        let found = which(16, |value| {
+            let x = Linear { value: f64::from(value - 4), slope: [1.0, -2.0, 0.5], size: 16.0 };
+            let [low, high] = x.quotients(W, 1.5).map(f64::from);
+            let mut holds = high - low < 8.0;
             for side in [-1.0, 0.0, 1.0] {
-                let (x, w) = (x.value + side * x.slope[axis], W.value + side * W.slope[axis]);
-                assert!(low * w <= x && x <= high * w);
+                for axis in 0..3 {
+                    let (x, w) = (x.value + side * x.slope[axis], W.value + side * W.slope[axis]);
+                    holds &= low * w <= x && x <= high * w;
+                }
             }
-        }
-        cover!(low > 0.0 && high < 4.0);
+            holds
+        });
+        assert!(found >> value & 1 == 1);
+        cover!(value == 7);
     }
 
     /// A sphere that reaches the eye's plane has no ends; others hold their middles, and in front and behind.
     [ends_of_sphere, Linear::new, Linear::quotients]
-    fn spheres_with_ends_are_before_the_eye(z: i32 = -8..=7, radius: i32 = 0..=7) {
-        let ends = ends_of_sphere(&CAMERA, [1.0, -2.0, z as f32], radius as f32);
-        assert!(ends.is_some() == (z > radius));
-        if let Some([[left, right], [bottom, top], _]) = ends {
-            for w in [z - radius, z, z + radius].map(f64::from) {
-                assert!(f64::from(left) * w <= 1.0 && 1.0 <= f64::from(right) * w);
-                assert!(f64::from(bottom) * w <= -2.0 && -2.0 <= f64::from(top) * w);
+    fn spheres_with_ends_are_before_the_eye(number: u32 = 0..=31) {
+        let found = which(32, |number| {
+            let (z, radius) = (number / 4 - 2, number % 4);
+            let ends = ends_of_sphere(&CAMERA, [1.0, -2.0, z as f32], radius as f32);
+            let mut holds = ends.is_some() == (z > radius);
+            if let Some([[left, right], [bottom, top], _]) = ends {
+                for w in [z - radius, z, z + radius].map(f64::from) {
+                    holds &= f64::from(left) * w <= 1.0 && 1.0 <= f64::from(right) * w;
+                    holds &= f64::from(bottom) * w <= -2.0 && -2.0 <= f64::from(top) * w;
+                }
             }
-        }
-        cover!(ends.is_some() && radius == 5);
+            holds
+        });
+        assert!(found >> number & 1 == 1);
+        cover!(number == 31);
     }
 
-    /// A sphere of which a coordinate is no number, or that has a radius below 0 or none, can cover anything.
+    /// A sphere whose radius is below 0, infinite or no number can cover anything.
     [Viewport::bound_sphere]
-    fn spheres_without_numbers_cover_anything(radius: u32) {
+    fn spheres_without_radius_cover_anything(number: usize = 0..=4) {
         let Ok(region) = Region::<Standard>::of_size(64, 64) else { return };
-        let (viewport, radius) = (Viewport::new(region), f32::from_bits(radius));
-        let bound = viewport.bound_sphere(&moved(0.0, 0.0, 0.0), [0.0; 3], radius, Sample::CENTER);
-        assert!(radius >= 0.0 && radius < f32::INFINITY || bound == Bound::Anything);
-        cover!(bound != Bound::Anything);
+        let found = [-1.0, -f32::MIN_POSITIVE, f32::NEG_INFINITY, f32::INFINITY, f32::NAN].map(|radius| {
+            Viewport::new(region).bound_sphere(&moved(0.0, 0.0, 0.0), [0.0; 3], radius, Sample::CENTER)
+        });
+        assert!(found[number] == Bound::Anything);
+        cover!(number == 4);
     }
 
-    /// Depths in the sphere are between those of the bound, wherever it is moved to, by steps of 1/64.
+    /// Depths in the sphere are between those of the bound, wherever it is moved to, by steps of 1/8.
     [Viewport::bound_sphere, Viewport::bound, ends_of_sphere, ends_of_box, Linear::new, Linear::quotients, confirmed]
-    fn a_moved_sphere_has_no_other_depths(steps: i32 = -32..=31) {
+    fn a_moved_sphere_has_no_other_depths(steps: i32 = -4..=3) {
         let Ok(region) = Region::<Standard>::of_size(64, 64) else { return };
-        let (viewport, z) = (Viewport::new(region), steps as f32 / 64.0);
-        let bound = viewport.bound_sphere(&moved(0.0, 0.0, z), [0.0, 0.0, 0.5], 0.25, Sample::CENTER);
-        let Bound::Within { depths: [least, most], .. } = bound else { unreachable!("it is in the viewport") };
-        assert!(least <= unorm32(0.25 + z) && unorm32(0.75 + z) <= most);
-        cover!(least > 0 && most < u32::MAX);
+        let viewport = Viewport::new(region);
+        for known in -4..=3 {
+            let z = known as f32 / 8.0;
+            let found = viewport.bound_sphere(&moved(0.0, 0.0, z), [0.0, 0.0, 0.5], 0.25, Sample::CENTER);
+            let holds = match found {
+                Bound::Within { depths: [least, most], .. } => {
+                    least <= unorm32(0.25 + z) && unorm32(0.75 + z) <= most && (known != 0 || most < 3 << 30 | 1 << 28)
+                }
+                Bound::Nothing | Bound::Anything => false,
+            };
+            assert!(known != steps || holds);
+        }
+        cover!(steps == 0);
     }
 }
