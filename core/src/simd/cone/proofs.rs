@@ -176,9 +176,9 @@ prove! {
     /// A cone has the normals of its triangles, and is no larger than their area: two that share a side, of which one
     /// is turned about it.
     [Cone::new, Face::new]
-    fn cones_have_all_normals(number: u32 = 0..=7) {
-        let found = which(8, |number| {
-            let turned = f64::from(number - 4);
+    fn cones_have_all_normals(number: u32 = 0..=1) {
+        let found = which(2, |number| {
+            let turned = f64::from(3 * number - 2);
             let (a, b, c) = ([0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, turned as f32]);
             let triangles = [[a, b, [0.0, 4.0, 0.0]], [a, b, c]];
             let Some(cone) = Cone::new([2.0, 2.0, 0.0], triangles.into_iter()) else { return false };
@@ -190,6 +190,6 @@ prove! {
             has && cone.area <= 16.0 && cone.offset > 0.0
         });
         assert!(found >> number & 1 == 1);
-        cover!(number == 7);
+        cover!(number == 1);
     }
 }
