@@ -148,6 +148,18 @@ pub(crate) use some_inputs;
 #[allow(unused_imports)]
 pub(crate) use {assume, cover, prove};
 
+/// Of which of the first numbers something holds, in bits: each is tried by itself, so that a prover has constants to
+/// calculate with.
+#[allow(dead_code)]
+#[inline(always)]
+pub(crate) fn which(count: i32, holds: impl Fn(i32) -> bool) -> u32 {
+    let mut found = 0;
+    for number in 0..count {
+        found |= u32::from(holds(number)) << number;
+    }
+    found
+}
+
 #[cfg(test)]
 pub(crate) use engine::{Input, run};
 

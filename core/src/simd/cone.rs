@@ -6,6 +6,9 @@
 //! width and height, it is the doubled area in the window. Facing is that of the snapped triangle, though: a sliver can
 //! turn round when it is snapped. So a meshlet counts as culled only where no triangle's area can change its sign.
 
+#[cfg(any(kani, test))]
+mod proofs;
+
 use super::meshlet::Meshlet;
 use crate::{
     draw::State,

@@ -1,5 +1,8 @@
 //! What a sphere can cover at most, as seen through a viewport.
 
+#[cfg(any(kani, test))]
+mod proofs;
+
 use super::{
     bound::{Bound, Ends, MARGIN, TINY, ends_of_box},
     root::root_above,

@@ -86,7 +86,7 @@ prove! {
 
     /// Samples of a triangle in the box are in the bound, wherever the box is moved to: the pixels between where its
     /// corners are projected to.
-    [Viewport::bound_box, Corners::new, Corners::quotients, pixels]
+    [Viewport::bound_box, Viewport::bound, ends_of_box, Corners::new, Corners::quotients, pixels]
     fn slow_moved_boxes_cover_no_more_columns(x: u32, column: u32 = 0..=63) {
         let Ok(region) = Region::<Standard>::of_size(64, 64) else { return };
         let (viewport, x) = (Viewport::new(region), f32::from_bits(x));
@@ -103,7 +103,7 @@ prove! {
     }
 
     /// The same for rows.
-    [Viewport::bound_box, Corners::new, Corners::quotients, pixels]
+    [Viewport::bound_box, Viewport::bound, ends_of_box, Corners::new, Corners::quotients, pixels]
     fn slow_moved_boxes_cover_no_more_rows(y: u32) {
         let Ok(region) = Region::<Standard>::of_size(64, 64) else { return };
         let (viewport, y) = (Viewport::new(region), f32::from_bits(y));
@@ -131,7 +131,7 @@ prove! {
     }
 
     /// Depths in the box are between those of the bound, wherever it is moved to, by steps of 1/64.
-    [Viewport::bound_box, Corners::new, Corners::quotients]
+    [Viewport::bound_box, Viewport::bound, ends_of_box, Corners::new, Corners::quotients]
     fn a_moved_box_has_no_other_depths(steps: i32 = -128..=127) {
         let Ok(region) = Region::<Standard>::of_size(64, 64) else { return };
         let (viewport, z) = (Viewport::new(region), steps as f32 / 64.0);

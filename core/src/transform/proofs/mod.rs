@@ -6,7 +6,6 @@ mod cut;
 mod frustum;
 mod model;
 mod plane;
-#[cfg(test)]
 mod root;
 #[cfg(test)]
 mod tested;
