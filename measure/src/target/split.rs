@@ -75,7 +75,8 @@ mod tests {
     #[test]
     fn bands_are_all_rows_once() {
         assert_eq!(rows(&Split::even(30, 2)), [0..16, 16..30]);
-        assert_eq!(rows(&Split::even(3, 16)), [0..3]);
+        // One row of blocks.
+        assert_eq!(Split::even(3, 16).count(), 1);
         for (height, bands) in [(1080, 16), (720, 3), (64, 16), (61, 16), (1, 1)] {
             let mut split = Split::even(height, bands);
             // What no frame takes, too.
