@@ -68,7 +68,7 @@ prove! {
     /// What was found for one question is not taken for more than it is in the next.
     #[kani::unwind(18)]
     [HierarchicalDepth::hides_with, HierarchicalDepth::look, HierarchicalDepth::shows]
-    fn answers_do_not_depend_on_earlier_ones(nearest: u32, pixels: [u32; 2]) {
+    fn slow_answers_do_not_depend_on_earlier_ones(nearest: u32, pixels: [u32; 2]) {
         answers_are_exact(DepthTest::LESS, nearest, 1000, pixels, &[[0, 4], [0, 20]]);
         cover!(nearest == 1001 && pixels == [1001, 7]);
     }

@@ -74,7 +74,7 @@ prove! {
 
     /// No quotient is left out of the ends, at any corner: seven corners at 1, and w at 2.
     [Corners::quotients, least]
-    fn quotients_lie_between_the_ends(value: u32, at: usize = 0..=7) {
+    fn slow_quotients_lie_between_the_ends(value: u32, at: usize = 0..=7) {
         let value = f32::from_bits(value);
         assume!(value.abs() <= 1e30);
         let mut corners = Corners { values: [1.0; 8], size: 4.0 };
@@ -122,7 +122,7 @@ prove! {
 
     /// A box of which a coordinate is no number can cover anything.
     [Viewport::bound_box, Corners::new]
-    fn boxes_without_numbers_cover_anything(low: [u32; 3], high: [u32; 3]) {
+    fn slow_boxes_without_numbers_cover_anything(low: [u32; 3], high: [u32; 3]) {
         let Ok(region) = Region::<Standard>::of_size(64, 64) else { return };
         let corners = [low, high].map(|corner| corner.map(f32::from_bits));
         assume!(corners.as_flattened().iter().any(|v| v.is_nan()));
