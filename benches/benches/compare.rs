@@ -1,34 +1,16 @@
 //! The comparison: every view, everybody in turns, by the protocol. `--help` tells the options.
 
-use std::env;
 use std::process::ExitCode;
 use std::time::Instant;
 
 use halfplane_benches::contest::{self, Outcome};
-use halfplane_benches::options::Options;
+use halfplane_benches::options::{Options, start};
 use halfplane_benches::ours::Last;
 use halfplane_benches::scenes::{View, files, growth, micro, pixels};
 use halfplane_benches::{machine, record, report};
 
 fn main() -> ExitCode {
-    let arguments: Vec<String> = env::args().skip(1).collect();
-    // Run by a test command, not by `cargo bench`.
-    if !arguments.iter().any(|argument| argument == "--bench") && cfg!(debug_assertions) {
-        println!("compare: measures nothing without optimisation; use cargo bench");
-        return ExitCode::SUCCESS;
-    }
-    let options = match Options::parse(arguments) {
-        Ok(options) => options,
-        // Help goes to standard output and is no failure.
-        Err(message) => message.exit(),
-    };
-    match run(&options) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("{message}");
-            ExitCode::FAILURE
-        }
-    }
+    start("compare", run)
 }
 
 fn run(options: &Options) -> Result<(), String> {

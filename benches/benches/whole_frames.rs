@@ -1,31 +1,15 @@
 //! Whole frames with questions, and by two threads: every camera of the scenes. `--help` tells the options.
 
-use std::env;
 use std::process::ExitCode;
 
 use halfplane_benches::contest::Outcome;
-use halfplane_benches::options::{Options, default_csv, whole_frames_csv};
+use halfplane_benches::options::{Options, default_csv, start, whole_frames_csv};
 use halfplane_benches::scenes::files;
 use halfplane_benches::whole::{self, Last};
 use halfplane_benches::{machine, record};
 
 fn main() -> ExitCode {
-    let arguments: Vec<String> = env::args().skip(1).collect();
-    if !arguments.iter().any(|argument| argument == "--bench") && cfg!(debug_assertions) {
-        println!("whole_frames: measures nothing without optimisation; use cargo bench");
-        return ExitCode::SUCCESS;
-    }
-    let options = match Options::parse(arguments) {
-        Ok(options) => options,
-        Err(message) => message.exit(),
-    };
-    match run(&options) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("{message}");
-            ExitCode::FAILURE
-        }
-    }
+    start("whole_frames", run)
 }
 
 fn run(options: &Options) -> Result<(), String> {

@@ -2,6 +2,7 @@
 
 use std::env;
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 use std::time::Duration;
 
 use clap::Parser;
@@ -90,6 +91,29 @@ impl Options {
     #[must_use]
     pub fn wants(&self, name: &str) -> bool {
         self.only.is_empty() || self.only.iter().any(|part| name.contains(part.as_str()))
+    }
+}
+
+/// What the main function of a benchmark does with the program's arguments; `name` is the benchmark's.
+#[must_use]
+pub fn start(name: &str, run: impl FnOnce(&Options) -> Result<(), String>) -> ExitCode {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    // Run by a test command, not by `cargo bench`.
+    if !arguments.iter().any(|argument| argument == "--bench") && cfg!(debug_assertions) {
+        println!("{name}: measures nothing without optimisation; use cargo bench");
+        return ExitCode::SUCCESS;
+    }
+    let options = match Options::parse(arguments) {
+        Ok(options) => options,
+        // Help goes to standard output and is no failure.
+        Err(message) => message.exit(),
+    };
+    match run(&options) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::FAILURE
+        }
     }
 }
 
