@@ -96,7 +96,7 @@ prove! {
     /// Triangles come to the lanes by their numbers, and some triangle where there is none.
     #[kani::unwind(17)]
     [Drawing::sixteen]
-    fn triangles_come_by_their_numbers(numbers: [u32; 16], lane: usize = 0..=15) {
+    fn slow_triangles_come_by_their_numbers(numbers: [u32; 16], lane: usize = 0..=15) {
         let Ok(region) = Region::<Standard>::of_size(4, 4) else { return };
         let (last, sum, state) = (Cell::new(0), Cell::new(0), State::new(region));
         let triangles = [[1_u16, 2, 3], [4, 5, 6], [7, 8, 9]];

@@ -19,7 +19,7 @@ prove! {
     /// A batch has its meshlets from the first on, as far as they are there: any numbers.
     #[kani::unwind(4)]
     [Batch::meshlets]
-    fn batches_have_their_meshlets(first: u32, count: u32, given: usize = 0..=3) {
+    fn slow_batches_have_their_meshlets(first: u32, count: u32, given: usize = 0..=3) {
         let meshlets = numbered::<3>();
         let batch = Batch { first, count, ..Batch::EMPTY };
         let found = batch.meshlets(&meshlets[..given]);
