@@ -20,7 +20,7 @@ prove! {
     /// A meshlet that is finished has the next place, if there is one, and is counted in any case.
     #[kani::unwind(97)]
     [Made::push]
-    fn finished_meshlets_are_counted(first: u32, count: usize = 0..=2) {
+    fn slow_finished_meshlets_are_counted(first: u32, count: usize = 0..=2) {
         let mut memory = [Meshlet::EMPTY; 2];
         let mut made = Made { meshlets: &mut memory, count };
         made.push(&Builder::new(first));

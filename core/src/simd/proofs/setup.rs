@@ -43,7 +43,7 @@ fn corners(places: [[i32; 2]; 3]) -> [Corner<Vectors>; 3] {
 prove! {
     /// The depths are counted from the topmost, then leftmost corner.
     [Plane::new, Corner::select]
-    fn planes_begin_at_the_topmost_corner(
+    fn slow_planes_begin_at_the_topmost_corner(
         places: [[i32; 2]; 3] = [[-SMALL_EXTENT; 2]; 3]..=[[SMALL_EXTENT; 2]; 3],
         depths: [u32; 3],
     ) {
@@ -61,7 +61,7 @@ prove! {
 
     /// A plane's gradients are those of its corners: one step apart to the right, of 1024 depths.
     [Plane::new, gradients, gradient]
-    fn planes_have_the_gradient_of_their_corners(z: u32 = 0..=1023) {
+    fn slow_planes_have_the_gradient_of_their_corners(z: u32 = 0..=1023) {
         let depths = [5000, 5000 + z, 5000].map(|z| Words::splat(simd(), z));
         let plane = Plane::new(simd(), corners([[0, 0], [1, 0], [0, 1]]), depths, ops::splat(simd(), 1));
         assert!(longs(plane.x[0])[3] == u64::from(z) << 32 && longs(plane.y[0])[3] == 0);

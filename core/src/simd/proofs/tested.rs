@@ -43,7 +43,7 @@ prove! {
 
     /// A triangle becomes a meshlet where there is room for one, the places left holding its last vertex.
     []
-    fn meshlets_are_made_where_there_is_room(bits: [u32; 3], given: usize = 0..=1) {
+    fn slow_meshlets_are_made_where_there_is_room(bits: [u32; 3], given: usize = 0..=1) {
         let positions = bits.map(|bits| [f32::from_bits(bits); 3]);
         let mut memory = [Meshlet::EMPTY];
         match make_meshlets(&positions, &[0_u8, 1, 2], &mut memory[..given]) {

@@ -102,7 +102,7 @@ prove! {
     /// without a w, whatever their coordinates.
     #[kani::unwind(18)]
     [stage, snap_one, VertexLanes::sixteen]
-    fn all_vertices_are_staged(bits: [u32; 3]) {
+    fn slow_all_vertices_are_staged(bits: [u32; 3]) {
         let Ok(region) = Region::of_size(64, 64) else { return };
         let positions = [bits.map(f32::from_bits); 17];
         let source = ModelPositions::new(&positions, [[0.0; 4]; 4], Viewport::new(region));
