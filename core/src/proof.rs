@@ -150,7 +150,7 @@ pub(crate) use {assume, cover, prove};
 
 /// Of which of the first numbers something holds, in bits: each is tried by itself, so that a prover has constants to
 /// calculate with.
-#[allow(dead_code)]
+#[cfg(feature = "transform")]
 #[inline(always)]
 pub(crate) fn which(count: i32, holds: impl Fn(i32) -> bool) -> u32 {
     let mut found = 0;
