@@ -5,10 +5,11 @@
 use halfplane::{ClipPositions, Cull, D32, DepthTest, Region, Standard, Viewport, Winding};
 use halfplane_reference::DepthSpec;
 use halfplane_tests::{
-    Frame,
+    Failure, Frame,
+    case::Case,
     failure::Verdict,
-    properties::{clipping, draws, neighbours, statistics, transform},
-    shapes::{Ground, Random, clip_bits, clip_triangle},
+    properties::{boxes, clipping, draws, neighbours, spheres, statistics, transform},
+    shapes::{Ground, Kind, Random, clip_bits, clip_triangle},
 };
 
 #[path = "../tests/named/camera.rs"]
@@ -51,6 +52,7 @@ fn properties_hold() -> Verdict {
         neighbours::closed_surfaces_cancel::<Standard>(&frame, &[a[0], a[1], a[2], b[0]])?;
     }
     thin(&mut random)?;
+    volumes(&mut random)?;
     for _ in 0..50 {
         let ground = Ground::from_numbers(random.words(), random.bits());
         clipping::mesh_has_no_seam::<Standard>(&viewport(&mut random, 30), &ground)?;
@@ -69,6 +71,46 @@ fn thin(random: &mut Random) -> Verdict {
         };
         let triangle = [vertex(), vertex(), vertex()];
         clipping::pieces_have_one_winding::<Standard>(&frame, &triangle)?;
+    }
+    Ok(())
+}
+
+/// Boxes and spheres against what is in them.
+fn volumes(random: &mut Random) -> Verdict {
+    let unit = |random: &mut Random| random.between(-1 << 20, 1 << 20) as f32 / (1 << 20) as f32;
+    for round in 0..400 {
+        let triangles: Vec<_> =
+            (0..random.below(10)).map(|_| (random.bits() as u32, random.words(), random.words())).collect();
+        let case = Case::from_numbers(random.words(), random.words(), &triangles, &Kind::ALL);
+        let center = [0; 3].map(|_: u32| 40.0 * unit(random));
+        let radius = (random.between(-160, 96) as f32 / 16.0).exp2();
+        boxes::boxes_bound_what_they_hold(&case)?;
+        spheres::spheres_bound_what_they_hold(&case)?;
+        spheres::points_of_spheres_are_in_their_bound(
+            &case,
+            center.map(|v| v / 10.0),
+            radius,
+            random.bits(),
+        )?;
+        spheres::spheres_left_out_are_outside(&case, center, radius, random.bits())?;
+        let size = [0; 2].map(|_: u32| 1 + random.below(16384) as u32);
+        let [x, y, z] = [0; 3].map(|_: u32| unit(random));
+        boxes::bounds_of_points_are_tight([x, y, z.abs()], size)?;
+        let z = 1.0 + 200.0 * z.abs();
+        let part = 0.001 + 0.799 * unit(random).abs();
+        spheres::bounds_of_spheres_are_tight([1.5 * x * z, 1.5 * y * z, z], z * part)?;
+        spheres::points_before_tiny_matrices_are_in_their_bound((-round as f32 / 20.0).exp2())?;
+    }
+    nowhere()
+}
+
+/// What is no sphere, or reaches the eye's plane.
+fn nowhere() -> Result<(), Failure> {
+    for radius in [1.0, 1.5, f32::INFINITY, f32::NAN, -1.0, -f32::MIN_POSITIVE] {
+        spheres::bounds_of_no_spheres_are_anything([0.0, 0.0, 1.0], radius)?;
+    }
+    for center in [[0.0, 0.0, -3.0], [f32::NAN, 0.0, 1.0], [0.0, f32::INFINITY, 1.0], [0.0, 0.0, f32::NAN]] {
+        spheres::bounds_of_no_spheres_are_anything(center, 0.25)?;
     }
     Ok(())
 }

@@ -3,9 +3,10 @@
 //! with more cases, at every level.
 
 use halfplane_tests::{
+    case::{Case, Numbers},
     failure::Verdict,
-    properties::{definition_path, lanes, meshlets, simd},
-    shapes::{Kind, Random},
+    properties::{batches, cones, definition_path, lanes, lists, meshlets, simd},
+    shapes::{Kind, Patch, Random},
 };
 
 #[path = "../tests/queue.rs"]
@@ -52,16 +53,52 @@ fn properties_hold() -> Verdict {
         let mut how: [u32; 10] = random.words();
         [how[0], how[1], how[2], how[7]] = [0, 10, 0, 1];
         let kinds = [Kind::Bezout, Kind::Sliver, Kind::Tiny, Kind::OnSamples, Kind::ThroughSamples];
-        let case = simd::Case::from_numbers(random.words(), how, &triangles(&mut random, 24), &kinds);
+        let case = Case::from_numbers(random.words(), how, &triangles(&mut random, 24), &kinds);
         simd::depths_are_the_scalar_ones(&case)?;
+    }
+    of_queries(&mut random)
+}
+
+/// Batches, lists, boxes, spheres and cones.
+fn of_queries(random: &mut Random) -> Verdict {
+    for round in 0..40 {
+        let case = case(random, if round % 10 == 0 { 1500 } else { 60 });
+        batches::batches_are_the_mesh(&case)?;
+        batches::ids_of_batches_are_the_nearest(&case)?;
+        batches::answers_are_certain(&case)?;
+        batches::answers_about_spheres_are_certain(&case)?;
+        batches::clusters_are_the_same_triangles(&case)?;
+        batches::short_memory_is_refused(&case)?;
+        lists::lists_out_of_sight_change_nothing(&case)?;
+        lists::wrong_lists_are_refused(&case)?;
+        cones::meshes_are_their_triangles(&case)?;
+    }
+    batches::clusters_are_small(1000, random.bits())?;
+    for _ in 0..300 {
+        let power = |random: &mut Random, from: i64, to: i64| random.between(from, to) as i32;
+        let patch = Patch {
+            count: 1 + random.below(39),
+            spread: random.below(5) as f64 / 10.0,
+            powers: [
+                power(random, -6, 0),
+                power(random, -10, 0),
+                power(random, -6, -1),
+                power(random, -2, 8),
+                power(random, -9, 7),
+            ],
+            cosine: random.between(-1000, 1000) as f64 / 1000.0,
+            orthographic: random.below(4) == 0,
+            seed: random.bits(),
+        };
+        cones::patches_are_their_triangles(&patch, [64, 48])?;
     }
     Ok(())
 }
 
-fn triangles(random: &mut Random, most: usize) -> Vec<simd::Numbers> {
+fn triangles(random: &mut Random, most: usize) -> Vec<Numbers> {
     (0..random.below(most + 1)).map(|_| (random.bits() as u32, random.words(), random.words())).collect()
 }
 
-fn case(random: &mut Random, most: usize) -> simd::Case {
-    simd::Case::from_numbers(random.words(), random.words(), &triangles(random, most), &Kind::ALL)
+fn case(random: &mut Random, most: usize) -> Case {
+    Case::from_numbers(random.words(), random.words(), &triangles(random, most), &Kind::ALL)
 }

@@ -2,16 +2,19 @@
 //! (docs/mutants.md). It is compiled for each mutant, so it has few formats and no proptest. `cargo test` does
 //! not run it, as it has the same properties with more cases.
 
-use halfplane::{Bounds, Cull, D16, D32, DepthFormat, DepthTest, Format, Small, Standard, Vertex, Winding};
+use halfplane::{
+    Bounds, ClipPositions, Cull, D16, D32, DepthFormat, DepthTest, Format, Region, Small, Standard, State,
+    Vertex, Viewport, Winding, bins::TileOrder,
+};
 use halfplane_reference::DepthSpec;
 use halfplane_tests::{
     Frame,
     failure::Verdict,
     properties::{
-        conservative, coverage, depth, depth_test::COMPARISONS, draws, enumeration, errors, lanes, numbers,
-        scene, setup, statistics, storage, watertight,
+        bins, conservative, coverage, depth, depth_test::COMPARISONS, draws, enumeration, errors,
+        hierarchical, lanes, numbers, scene, setup, statistics, storage, watertight,
     },
-    shapes::{Kind, Random, depths, triangle, triangulation},
+    shapes::{Kind, Random, clip_bits, depths, triangle, triangulation},
     strategies::Shot,
     toy::Toy,
 };
@@ -52,6 +55,9 @@ fn properties_hold() -> Verdict {
     of_draws::<Small, D16>(&mut random, DepthSpec::SMALL, 40)?;
     of_draws::<Standard, D16>(&mut random, DepthSpec::D16, 10)?;
     of_draws::<Standard, D32>(&mut random, DepthSpec::D32, 60)?;
+    of_bins(&mut random)?;
+    of_hierarchies::<Small, D16>(&mut random, DepthSpec::SMALL)?;
+    of_hierarchies::<Standard, D32>(&mut random, DepthSpec::D32)?;
     of_lattices()?;
     of_meshes(&mut random)
 }
@@ -181,6 +187,69 @@ where
             contents: random.bits(),
         };
         draws::is_brute_force::<F, D, _, _>(&call, &vertices[..], &indices, spec)?;
+    }
+    Ok(())
+}
+
+fn of_bins(random: &mut Random) -> Verdict {
+    bins::what_waits_comes_first(Region::of_size(130, 70)?)?;
+    for tiles in 2..12 {
+        bins::a_diagonal_needs_few_tiles(tiles)?;
+    }
+    for order in [TileOrder::Rows, TileOrder::Hilbert] {
+        for [columns, rows] in [[1, 1], [1, 4], [3, 2], [5, 7], [8, 3], [16, 16]] {
+            bins::tiles_come_in_order(columns, rows, order)?;
+        }
+    }
+    for _ in 0..30 {
+        let frame = small_frame::<Standard>(random, 90);
+        let region = frame.core_region::<Standard>()?;
+        bins::errors_change_nothing(region, random.bits())?;
+        bins::samples_do_not_mix(region, frame.core_sample()?)?;
+        bins::what_did_not_fit_is_gone(1 + random.below(60), 1 + random.below(9), random.below(60))?;
+        let triangles = [0; 10].map(|_: u32| clip_bits(random.words()));
+        let positions = ClipPositions::new(triangles.as_flattened(), Viewport::new(region));
+        let indices: Vec<u32> = (0..30).collect();
+        bins::binned_is_immediate(
+            &positions,
+            &indices,
+            frame.core_region()?,
+            &frame.state()?,
+            random.bits(),
+        )?;
+    }
+    for _ in 0..40 {
+        let size = [0; 2].map(|_: u32| 1 + random.below(300) as u32);
+        let mut frame = Frame::whole::<Standard>(size[0], size[1]);
+        let shots: Vec<Shot> = (0..24).map(|_| shot::<Standard>(random, &frame)).collect();
+        if random.below(2) == 0 {
+            let [x, y] = size.map(|side| random.below(side as usize) as u32);
+            frame.scissor = [x, y, x + 1 + random.below((size[0] - x) as usize) as u32, size[1]];
+        }
+        let vertices = scene::vertices::<Standard>(&shots)?;
+        let indices: Vec<u32> = (0..vertices.len() as u32).collect();
+        let state = State { cull: faces(random).0, ..frame.state()? };
+        bins::binned_is_immediate(&vertices[..], &indices, frame.core_region()?, &state, random.bits())?;
+    }
+    Ok(())
+}
+
+/// Answers about triangles and rectangles against every pixel, and pictures without what is hidden.
+fn of_hierarchies<F: Format, D: DepthFormat<F>>(random: &mut Random, spec: DepthSpec) -> Verdict {
+    for case in 0..60 {
+        let test = DepthTest { compare: COMPARISONS[random.below(5)], write: random.below(4) > 0 };
+        let side = if case % 4 == 0 { 150 } else { 40 };
+        let frame = Frame::whole::<F>(1 + random.below(side) as u32, 1 + random.below(side) as u32);
+        let shots: Vec<Shot> = (0..24).map(|_| shot::<F>(random, &frame)).collect();
+        hierarchical::answers_are_those_of_the_pixels::<F, D>(
+            &frame,
+            &shots[..6],
+            test,
+            spec,
+            random.bits(),
+        )?;
+        hierarchical::hidden_triangles_change_nothing::<F, D>(&frame, &shots, test)?;
+        hierarchical::short_memory_is_refused(1 + random.below(200) as u32, 9, random.bits() as usize)?;
     }
     Ok(())
 }

@@ -3,6 +3,7 @@
 //! | where | what |
 //! |---|---|
 //! | [`shapes`] | triangles, meshes and clip-space vertices by kind: total functions of plain numbers |
+//! | [`case`] | a mesh and how it is drawn, made from any numbers |
 //! | [`strategies`] | the same as proptest strategies, with shrinking |
 //! | [`properties`] | the properties: plain functions `fn(inputs) -> Result<(), Failure>`, no engine in them |
 //! | [`sizes`] | how many cases each property gets; the only place to change that |
@@ -15,6 +16,7 @@
 //!
 //! The drivers are in `tests/`: each calls properties with inputs from one engine.
 
+pub mod case;
 pub mod double;
 pub mod failure;
 pub mod frame;

@@ -2,10 +2,12 @@
 
 use crate::{
     Frame,
+    case::{Case, Numbers},
     shapes::{Corners, Kind, depths, triangle},
 };
 use halfplane::Format;
 use proptest::{array, prelude::*, sample::select};
+use std::ops::RangeInclusive;
 
 /// One triangle and where it is drawn.
 #[derive(Clone, Copy, Debug)]
@@ -57,4 +59,16 @@ pub fn scene<F: Format>(side: u32, most: usize) -> impl Strategy<Value = (Frame,
         });
         (frame, shots.collect())
     })
+}
+
+/// The numbers of so many triangles.
+pub fn triangles(count: RangeInclusive<usize>) -> impl Strategy<Value = Vec<Numbers>> {
+    let one = (any::<u32>(), array::uniform8(any::<u32>()), array::uniform4(any::<u32>()));
+    proptest::collection::vec(one, count)
+}
+
+/// A mesh of so many triangles of these kinds, and a few at the guard band's limit.
+pub fn case(count: RangeInclusive<usize>, kinds: &'static [Kind]) -> impl Strategy<Value = Case> {
+    (numbers::<12>(), numbers::<10>(), triangles(count))
+        .prop_map(|(place, how, triangles)| Case::from_numbers(place, how, &triangles, kinds))
 }

@@ -1,34 +1,22 @@
 //! Batches and boxes at every level of this machine.
 
-use crate::simd::{Met, triangles};
+use crate::simd::Met;
 use halfplane::simd::Occlusion;
 use halfplane_tests::{
-    properties::{
-        batches::{
-            answers_are_certain, batches_are_the_mesh, bounds_of_points_are_tight,
-            boxes_bound_what_they_hold, clusters_are_small, clusters_are_the_same_triangles,
-            ids_of_batches_are_the_nearest, short_memory_is_refused,
-        },
-        simd::Case,
+    properties::batches::{
+        answers_about_spheres_are_certain, answers_are_certain, batches_are_the_mesh, clusters_are_small,
+        clusters_are_the_same_triangles, ids_of_batches_are_the_nearest, short_memory_is_refused,
     },
     run::check,
     shapes::Kind,
     sizes,
-    strategies::numbers,
+    strategies::case,
 };
 use proptest::prelude::*;
 use std::cell::Cell;
 
 /// Most triangles large, some of them over others, most views from the front.
 const LARGE: [Kind; 5] = [Kind::Medium, Kind::Medium, Kind::AxisAligned, Kind::GuardBand, Kind::Small];
-
-pub(crate) fn case(
-    count: std::ops::RangeInclusive<usize>,
-    kinds: &'static [Kind],
-) -> impl Strategy<Value = Case> {
-    (numbers::<12>(), numbers::<10>(), triangles(count))
-        .prop_map(|(place, how, triangles)| Case::from_numbers(place, how, &triangles, kinds))
-}
 
 /// What was asked and hidden in all cases.
 #[derive(Default)]
@@ -105,6 +93,19 @@ fn what_is_said_to_be_out_of_sight_is() {
 }
 
 #[test]
+fn spheres_that_are_out_of_sight_are() {
+    let met = Cell::new([0; 3]);
+    check(sizes::BATCH_FRAME, case(2..=60, &LARGE), |case| {
+        let (sum, more) = (met.get(), answers_about_spheres_are_certain(&case)?);
+        met.set(std::array::from_fn(|answer| sum[answer] + more[answer]));
+        Ok(())
+    });
+    println!("outside, hidden, visible: {:?}", met.get());
+    let all: u32 = met.get().iter().sum();
+    assert!(met.get().iter().all(|&count| count > all / 50), "{:?}", met.get());
+}
+
+#[test]
 fn clusters_have_the_same_triangles() {
     check(sizes::MESHLET_ERRORS, case(0..=400, &Kind::ALL), |case| clusters_are_the_same_triangles(&case));
 }
@@ -113,27 +114,6 @@ fn clusters_have_the_same_triangles() {
 fn clusters_lie_close_together() {
     check(sizes::MESHLET_ALONE, (64..4000usize, any::<u64>()), |(triangles, seed)| {
         clusters_are_small(triangles, seed)
-    });
-}
-
-#[test]
-fn nothing_in_a_box_is_outside_its_bound() {
-    let (useful, all) = (Cell::new(0), Cell::new(0));
-    check(sizes::BOUND, case(1..=12, &Kind::ALL), |case| {
-        all.set(all.get() + 1);
-        useful.set(useful.get() + u32::from(boxes_bound_what_they_hold(&case)?));
-        Ok(())
-    });
-    println!("{} of {} bounded", useful.get(), all.get());
-    assert!(useful.get() >= all.get() / 3);
-}
-
-#[test]
-fn bounds_of_points_are_a_pixel() {
-    let end = 1 << 20;
-    let number = move || (-end..=end).prop_map(move |v: i32| v as f32 / end as f32);
-    check(sizes::BOUND, ([number(), number(), number()], [1..=16384u32, 1..=16384]), |([x, y, z], size)| {
-        bounds_of_points_are_tight([x, y, z.abs()], size)
     });
 }
 

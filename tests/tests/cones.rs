@@ -1,11 +1,11 @@
 //! Meshlets whose triangles all face the same way, or nearly.
 
-use crate::batches::case;
 use halfplane_tests::{
     properties::cones::{Faced, meshes_are_their_triangles, patches_are_their_triangles},
     run::check,
     shapes::{Kind, Patch},
     sizes,
+    strategies::case,
 };
 use proptest::prelude::*;
 use std::cell::Cell;

@@ -6,15 +6,15 @@ use halfplane_tests::{run::check, sizes};
 use proptest::prelude::*;
 #[cfg(feature = "simd")]
 use {
-    crate::simd::{Met, triangles},
+    crate::simd::Met,
     halfplane_tests::{
+        case::Case,
         properties::{
             definition_path::{frame_is_the_one_of_arrays, small_format_is_the_one_of_arrays},
             lanes::every_operation_at_every_level,
-            simd::Case,
         },
         shapes::Kind,
-        strategies::numbers,
+        strategies::{numbers, triangles},
     },
 };
 

@@ -1,11 +1,11 @@
 //! Questions about triangle lists.
 
-use crate::batches::case;
 use halfplane_tests::{
     properties::lists::{Said, lists_out_of_sight_change_nothing, wrong_lists_are_refused},
     run::check,
     shapes::Kind,
     sizes,
+    strategies::case,
 };
 use std::cell::Cell;
 

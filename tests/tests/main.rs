@@ -35,9 +35,8 @@ mod setup;
 mod shapes;
 #[cfg(feature = "simd")]
 mod simd;
-#[cfg(feature = "simd")]
-mod spheres;
 mod statistics;
 mod storage;
 mod transform;
+mod volumes;
 mod watertight;

@@ -1,18 +1,16 @@
 //! Meshlets at every level of this machine.
 
-use crate::simd::{Met, triangles};
+use crate::simd::Met;
 use halfplane_tests::{
-    properties::{
-        meshlets::{
-            Grazing, grazing_meshlets_are_the_mesh, meshlet_errors, meshlets_are_the_mesh,
-            meshlets_can_be_drawn_alone,
-        },
-        simd::Case,
+    case::Case,
+    properties::meshlets::{
+        Grazing, grazing_meshlets_are_the_mesh, meshlet_errors, meshlets_are_the_mesh,
+        meshlets_can_be_drawn_alone,
     },
     run::check,
     shapes::Kind,
     sizes,
-    strategies::numbers,
+    strategies::{numbers, triangles},
 };
 use proptest::prelude::*;
 use std::cell::Cell;

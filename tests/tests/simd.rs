@@ -3,24 +3,21 @@
 use halfplane::{CulledCounts, RejectedCounts, Standard, Statistics, simd::Level};
 use halfplane_tests::{
     Frame,
+    case::Case,
     properties::{
         crossing::{is_exact_in_f32, is_exact_in_f64},
         simd::{
-            Case, Numbers, Refused, constant_depths_are_unorm32, depths_are_the_scalar_ones,
-            errors_are_the_scalar_ones, frame_is_the_scalar_one, levels, single,
+            Refused, constant_depths_are_unorm32, depths_are_the_scalar_ones, errors_are_the_scalar_ones,
+            frame_is_the_scalar_one, levels,
         },
     },
     run::check,
     shapes::{Kind, LARGE_EXTENT},
     sizes,
-    strategies::numbers,
+    strategies::{numbers, triangles},
 };
-use proptest::{array, collection::vec, prelude::*};
+use proptest::{collection::vec, prelude::*};
 use std::cell::Cell;
-
-pub(crate) fn triangles(count: std::ops::RangeInclusive<usize>) -> impl Strategy<Value = Vec<Numbers>> {
-    vec((any::<u32>(), array::uniform8(any::<u32>()), array::uniform4(any::<u32>())), count)
-}
 
 /// What became of the triangles of all cases: a test that draws nothing finds nothing.
 #[derive(Default)]
@@ -154,7 +151,7 @@ fn depths_of_chosen_areas_are_the_scalar_ones() {
                     [[128, 128], [128 + width, 128], [128, 128 + height]],
                     [[129 + width, 128], [128 + width, 129 + height], [128, 128]],
                 ] {
-                    depths_are_the_scalar_ones(&single(frame, corners, z)).unwrap();
+                    depths_are_the_scalar_ones(&Case::single(frame, corners, z)).unwrap();
                 }
             }
         }
@@ -176,8 +173,8 @@ fn extents_about_the_limit_are_the_scalar_ones() {
                 [[x, y], [x + 1, y + extent], [x + 300, y + 7]],
             ] {
                 let [a, b, c] = corners;
-                frame_is_the_scalar_one(&single(frame, [a, b, c], [1 << 31, 1, u32::MAX])).unwrap();
-                frame_is_the_scalar_one(&single(frame, [a, c, b], [1 << 31, 1, u32::MAX])).unwrap();
+                frame_is_the_scalar_one(&Case::single(frame, [a, b, c], [1 << 31, 1, u32::MAX])).unwrap();
+                frame_is_the_scalar_one(&Case::single(frame, [a, c, b], [1 << 31, 1, u32::MAX])).unwrap();
             }
         }
     }

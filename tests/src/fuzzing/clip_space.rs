@@ -5,7 +5,7 @@ use super::{
     input::{Faces, Place},
 };
 use crate::{
-    Frame,
+    Frame, case,
     failure::Verdict,
     properties::{clipping, meshlets, neighbours, simd, statistics},
     shapes::{Model, Projection, clip_bits},
@@ -73,7 +73,7 @@ fn every_level(case: &Case, frame: Frame, vertices: &[[f32; 4]], indices: Vec<u3
         .map_or([[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.5, 1.0], [0.0; 4]], |rows| {
             rows.map(|row| row.map(f32::from_bits))
         });
-    let drawn = simd::Case {
+    let drawn = case::Case {
         frame,
         viewport: frame.region,
         projection: Projection::Bits,

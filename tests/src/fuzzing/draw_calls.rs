@@ -5,6 +5,7 @@ use super::{
     input::{Faces, Place, Shape},
 };
 use crate::{
+    case,
     failure::Verdict,
     properties::{
         definition_path::{frame_is_the_one_of_arrays, small_format_is_the_one_of_arrays},
@@ -35,7 +36,7 @@ enum Case {
         place: Place,
         how: [u32; 10],
         path: u8,
-        triangles: Vec<simd::Numbers>,
+        triangles: Vec<case::Numbers>,
     },
     Refused {
         size: [u8; 2],
@@ -164,10 +165,10 @@ where
     is_brute_force::<F, D, _, _>(&call, &positions, indices, spec)
 }
 
-fn vector(place: Place, how: [u32; 10], path: u8, triangles: &[simd::Numbers]) -> Verdict {
+fn vector(place: Place, how: [u32; 10], path: u8, triangles: &[case::Numbers]) -> Verdict {
     let place = place.0.map(u32::from);
     let triangles = &triangles[..triangles.len().min(MOST_TRIANGLES)];
-    let case = simd::Case::from_numbers(place, how, triangles, &Kind::ALL);
+    let case = case::Case::from_numbers(place, how, triangles, &Kind::ALL);
     match path % 4 {
         0 | 1 => frame_is_the_scalar_one(&case)?,
         2 => meshlets_are_the_mesh(&case)?,

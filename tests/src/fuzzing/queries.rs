@@ -5,9 +5,9 @@ use super::{
     input::{Place, Shape},
 };
 use crate::{
-    Failure,
+    Failure, case,
     failure::Verdict,
-    properties::{batches, cones, depth_test::COMPARISONS, hierarchical, lists, simd, spheres},
+    properties::{batches, boxes, cones, depth_test::COMPARISONS, hierarchical, lists, spheres},
     shapes::{Kind, Patch},
 };
 use arbitrary::Arbitrary;
@@ -24,7 +24,7 @@ enum Case {
     /// Questions between draws.
     Pixels { format: u8, place: Place, test: (u8, bool), seed: u64, triangles: Vec<(Shape, [u32; 4])> },
     /// Boxes, spheres, lists and batches of a mesh.
-    Mesh { place: Place, how: [u32; 10], what: u8, center: [i8; 3], triangles: Vec<simd::Numbers> },
+    Mesh { place: Place, how: [u32; 10], what: u8, center: [i8; 3], triangles: Vec<case::Numbers> },
     /// Meshlets whose triangles face much the same way.
     Patch { size: [u8; 2], count: u8, spread: u8, powers: [i8; 5], cosine: i8, orthographic: bool, seed: u64 },
 }
@@ -40,13 +40,13 @@ pub fn queries(data: &[u8]) -> Verdict {
         },
         Case::Mesh { place, how, what, center, triangles } => {
             let triangles = &triangles[..triangles.len().min(MOST[1])];
-            let case = simd::Case::from_numbers(place.0.map(u32::from), *how, triangles, &Kind::ALL);
+            let case = case::Case::from_numbers(place.0.map(u32::from), *how, triangles, &Kind::ALL);
             let radius = (f32::from(what / 8) - 16.0).exp2();
             let center = center.map(f32::from);
             let seed = u64::from(how[0]);
             match what % 8 {
                 0 => batches::batches_are_the_mesh(&case).map(|_| ()),
-                1 => batches::boxes_bound_what_they_hold(&case).map(|_| ()),
+                1 => boxes::boxes_bound_what_they_hold(&case).map(|_| ()),
                 2 => batches::answers_are_certain(&case).map(|_| ()),
                 3 => spheres::spheres_left_out_are_outside(&case, center, radius, seed).map(|_| ()),
                 4 => spheres::spheres_bound_what_they_hold(&case).map(|_| ()),

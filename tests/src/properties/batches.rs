@@ -1,14 +1,14 @@
 //! Batches that are drawn from front to back, what is hidden left out, are the mesh's picture.
 
 use super::{
-    simd::{Case, Storage, levels},
+    simd::{Storage, levels},
+    spheres::sphere_round,
     statistics::add_up,
 };
-use crate::{Failure, ensure, ensure_eq, failure::Verdict, shapes::Random};
+use crate::{Failure, case::Case, ensure, ensure_eq, failure::Verdict, shapes::Random};
 use halfplane::{
-    Bound, Compare, Coverage, D16, D32, Depth, DepthFormat, DepthRange, DepthTest, DrawError,
-    HierarchicalDepth, Ids, Index as _, Region, Standard, State, Statistics, Viewport, depth_ranges, draw,
-    numbers::{DEPTH32_MAX, DEPTH32_MIN},
+    Compare, Coverage, D16, D32, Depth, DepthFormat, DepthRange, DepthTest, DrawError, HierarchicalDepth,
+    Ids, Index as _, Standard, Statistics, depth_ranges, draw,
     simd::{
         Batch, BatchOrder, Level, Meshlet, MeshletError, MeshletScratch, Occluder, Occlusion, RowAttachment,
         Visibility, Volume, ask, cluster, draw_batches, make_batches, make_meshlets, max_batches,
@@ -44,7 +44,7 @@ impl Batched {
         scratch: &mut MeshletScratch,
         attachments: &mut A,
     ) -> Result<Result<Drawn, DrawError>, Failure> {
-        let (matrix, viewport, state) = (case.model.matrix, viewport(case)?, case.state()?);
+        let (matrix, viewport, state) = (case.model.matrix, case.core_viewport()?, case.state()?);
         let (batches, meshlets) = (&self.batches, &self.meshlets);
         let first_id = case.first_id;
         Ok(draw_batches(
@@ -172,11 +172,6 @@ where
     Ok(all)
 }
 
-pub(super) fn viewport(case: &Case) -> Result<Viewport<Standard>, Failure> {
-    let [x0, y0, x1, y1] = case.viewport;
-    Ok(Viewport::new(Region::new(x0, y0, x1, y1)?))
-}
-
 /// The same depths, whatever was hidden.
 pub fn batches_are_the_mesh(case: &Case) -> Result<Drawn, Failure> {
     // The last one wins, and which one is last the order decides.
@@ -230,74 +225,6 @@ pub fn ids_of_batches_are_the_nearest(case: &Case) -> Result<Drawn, Failure> {
     all_drawn.ok_or_else(|| Failure::new("no level"))
 }
 
-/// What is in a box covers no pixel outside its bound, at no depth outside, for boxes round some of the triangles.
-/// Whether the bound said anything of use.
-pub fn boxes_bound_what_they_hold(case: &Case) -> Result<bool, Failure> {
-    let state = case.state()?;
-    let mut random = Random(case.first_id.into());
-    let triangles = case.indices.as_chunks::<3>().0;
-    if triangles.is_empty() {
-        return Ok(false);
-    }
-    let first = random.below(triangles.len());
-    let last = (first + random.below(4)).min(triangles.len() - 1);
-    let mut corners = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];
-    let position = |corner: u32| case.model.vertices[corner as usize];
-    for corner in triangles[first..=last].as_flattened().iter().map(|&corner| position(corner)) {
-        if corner.iter().all(|v| v.is_finite()) {
-            for (axis, v) in corner.into_iter().enumerate() {
-                corners[0][axis] = corners[0][axis].min(v);
-                corners[1][axis] = corners[1][axis].max(v);
-            }
-        }
-    }
-    let [low, high] = corners;
-    if low[0] > high[0] {
-        return Ok(false);
-    }
-    let inside =
-        |corner: u32| (0..3).all(|a| low[a] <= position(corner)[a] && position(corner)[a] <= high[a]);
-    let held: Vec<u32> = triangles
-        .iter()
-        .filter(|corners| corners.iter().all(|&corner| inside(corner)))
-        .flatten()
-        .copied()
-        .collect();
-    bounds_all(case, viewport(case)?.bound_box(&case.model.matrix, corners, state.sample), &held)
-}
-
-/// Triangles of a case cover no pixel outside a bound, at no depth outside. Whether the bound said anything of use.
-pub(super) fn bounds_all(case: &Case, bound: Bound<Standard>, held: &[u32]) -> Result<bool, Failure> {
-    let (state, region) = (case.state()?, case.frame.core_region()?);
-    let (area, [nearest, farthest]) = match bound {
-        Bound::Anything => return Ok(false),
-        Bound::Nothing => (None, [0, u32::MAX]),
-        Bound::Within { area, depths } => (Some(area), depths),
-    };
-    let range = |depth: u32| depth.clamp(DEPTH32_MIN, DEPTH32_MAX);
-    for (compare, clear) in [(Compare::Less, u32::MAX), (Compare::Greater, 0)] {
-        let mut storage = Storage::new(region, 0);
-        let mut depth =
-            Depth::<Standard>::new(region, &mut storage.depths, DepthTest { compare, write: true })?;
-        depth.clear(clear);
-        draw(&case.positions()?, held, 0, &state, &mut depth)?;
-        for (x, y) in case.frame.pixels() {
-            let stored = depth.get(x, y).unwrap_or(clear);
-            if stored == clear {
-                continue;
-            }
-            let inside =
-                area.is_some_and(|area| area.x0() <= x && x < area.x1() && area.y0() <= y && y < area.y1());
-            ensure!(inside, "({x}, {y}) is covered, but not in {bound:?}");
-            ensure!(
-                stored >= range(nearest) - 1 && stored <= range(farthest) + 1,
-                "({x}, {y}) has depth {stored}, outside {bound:?}"
-            );
-        }
-    }
-    Ok(true)
-}
-
 /// After a frame, whatever is said of boxes round some triangles is the same at every level, and drawing what is said to
 /// be out of sight changes no pixel. How often each answer was given: outside, hidden, visible.
 pub fn answers_are_certain(case: &Case) -> Result<[u32; 3], Failure> {
@@ -313,6 +240,19 @@ pub fn answers_are_certain(case: &Case) -> Result<[u32; 3], Failure> {
         })
         .collect();
     are_certain(case, &boxes)
+}
+
+/// After a frame, what is said of spheres round its triangles is the same at every level, and drawing what is said to be
+/// out of sight changes no pixel. How often each answer was given: outside, hidden, visible.
+pub fn answers_about_spheres_are_certain(case: &Case) -> Result<[u32; 3], Failure> {
+    let spheres: Vec<_> = case
+        .indices
+        .as_chunks::<3>()
+        .0
+        .iter()
+        .map(|corners| sphere_round(corners.map(|corner| case.model.vertices[corner as usize])))
+        .collect();
+    are_certain(case, &spheres)
 }
 
 /// The same for volumes, each round the triangle of its number.
@@ -331,14 +271,21 @@ pub(super) fn are_certain<V: Volume>(case: &Case, volumes: &[V]) -> Result<[u32;
     let mut said = None;
     for level in levels() {
         let mut answers = vec![Visibility::default(); volumes.len()];
-        ask(level, volumes, &case.model.matrix, &viewport(case)?, &state, &mut depth, &mut answers)?;
+        ask(level, volumes, &case.model.matrix, &case.core_viewport()?, &state, &mut depth, &mut answers)?;
         ensure_eq!(*said.get_or_insert_with(|| answers.clone()), answers, "{}", level.name());
     }
     let said = said.ok_or_else(|| Failure::new("no level"))?;
     let mut few = vec![Visibility::default(); volumes.len().saturating_sub(1)];
     if !volumes.is_empty() {
-        let error =
-            ask(Level::FALLBACK, volumes, &case.model.matrix, &viewport(case)?, &state, &mut depth, &mut few);
+        let error = ask(
+            Level::FALLBACK,
+            volumes,
+            &case.model.matrix,
+            &case.core_viewport()?,
+            &state,
+            &mut depth,
+            &mut few,
+        );
         let expected = DrawError::ScratchTooSmall { needed: volumes.len(), given: volumes.len() - 1 };
         ensure_eq!(error, Err(expected), "too few answers");
     }
@@ -356,26 +303,6 @@ pub(super) fn are_certain<V: Volume>(case: &Case, volumes: &[V]) -> Result<[u32;
     ensure!(after == before, "what was out of sight is seen");
     let count = |what| said.iter().filter(|&&said| said == what).count() as u32;
     Ok([Visibility::Outside, Visibility::Hidden, Visibility::Visible].map(count))
-}
-
-/// A box of one point is bound to the pixels next to it, and to depths next to its own: bounds are not loose.
-pub fn bounds_of_points_are_tight(point: [f32; 3], size: [u32; 2]) -> Verdict {
-    let region = Region::<Standard>::of_size(size[0], size[1])?;
-    let identity = [[1., 0., 0., 0.], [0., 1., 0., 0.], [0., 0., 1., 0.], [0., 0., 0., 1.]];
-    let state = State::new(region);
-    let viewport = Viewport::new(region);
-    let [x, y, z] = point;
-    let vertex = viewport.project([x, y, z, 1.0]).ok_or_else(|| Failure::new("no vertex"))?;
-    match viewport.bound_box(&identity, [point; 2], state.sample) {
-        Bound::Within { area, depths: [least, most] } => {
-            ensure!(area.width() <= 1 && area.height() <= 1, "{area:?} for {point:?} at {vertex:?}");
-            ensure!(least <= vertex.z() + 2 && vertex.z() <= most + 2, "{vertex:?} outside {least}..={most}");
-            ensure!(most - least < 1 << 18, "depths {least}..={most} for {vertex:?}");
-        }
-        Bound::Nothing => (),
-        Bound::Anything => return Err(Failure::new(format_args!("anything for {point:?}"))),
-    }
-    Ok(())
 }
 
 /// Memory that is too short is refused, and nothing is written.
@@ -403,7 +330,7 @@ pub fn short_memory_is_refused(case: &Case) -> Verdict {
             &batches,
             &meshlets,
             case.model.matrix,
-            viewport(case)?,
+            case.core_viewport()?,
             &mut order,
             &mut scratch,
             case.first_id,

@@ -1,8 +1,10 @@
 //! Meshlets that are left out as they face the culled way: the picture does not tell.
 
-use super::simd::{Case, Storage, levels};
+use super::simd::{Storage, levels};
 use crate::{
-    Failure, ensure, ensure_eq,
+    Failure,
+    case::Case,
+    ensure, ensure_eq,
     shapes::{Model, Patch},
 };
 use halfplane::{

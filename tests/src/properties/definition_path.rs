@@ -2,8 +2,10 @@
 //! statistics, and what an attachment of the caller's is told, in order.
 
 use crate::{
-    Failure, Frame, ensure_eq,
-    properties::simd::{Case, Numbers, levels},
+    Failure, Frame,
+    case::{Case, Numbers},
+    ensure_eq,
+    properties::simd::levels,
     shapes::{Kind, depths, triangle},
 };
 use halfplane::{

@@ -1,10 +1,7 @@
 //! Triangle lists: what is said to be out of sight changes nothing, and a list is out of sight where its box is.
 
-use super::{
-    batches::viewport,
-    simd::{Case, Storage, levels},
-};
-use crate::{Failure, ensure, ensure_eq, failure::Verdict, shapes::Random};
+use super::simd::{Storage, levels};
+use crate::{Failure, case::Case, ensure, ensure_eq, failure::Verdict, shapes::Random};
 use halfplane::{
     Compare, Count, D16, D32, DepthFormat, DepthRange, DepthTest, DrawError, HierarchicalDepth, Region,
     Standard, depth_ranges, draw,
@@ -72,7 +69,7 @@ where
         ensure_eq!(answers.len(), 1, "levels say {answers:?} of {list:?}");
         let corners = box_round(case, indices);
         let mut of_box = [Visibility::Visible];
-        let (matrix, viewport) = (&case.model.matrix, viewport(case)?);
+        let (matrix, viewport) = (&case.model.matrix, case.core_viewport()?);
         ask(Level::FALLBACK, &[corners], matrix, &viewport, &state, &mut depth, &mut of_box)?;
         let (answer, [of_box]) = (answers[0], of_box);
         ensure!(place(answer) <= place(of_box), "{answer:?}, and the box round it is {of_box:?}");

@@ -1,7 +1,7 @@
 //! Meshlets draw what their mesh draws, whatever of it is left out unseen.
 
-use super::simd::{Case, Storage, levels};
-use crate::{Failure, ensure, ensure_eq, failure::Verdict, shapes::Random};
+use super::simd::{Storage, levels};
+use crate::{Failure, case::Case, ensure, ensure_eq, failure::Verdict, shapes::Random};
 use halfplane::{
     Coverage, Cull, D16, Depth, DepthTest, DrawError, Ids, ModelPositions, NO_ID, Region, Standard, State,
     Statistics, Viewport, draw,

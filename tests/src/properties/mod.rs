@@ -3,6 +3,7 @@
 #[cfg(feature = "simd")]
 pub mod batches;
 pub mod bins;
+pub mod boxes;
 pub mod clipping;
 #[cfg(feature = "simd")]
 pub mod cones;
@@ -36,7 +37,6 @@ pub mod shared_edge;
 #[cfg(feature = "simd")]
 pub mod simd;
 pub mod small_edge;
-#[cfg(feature = "simd")]
 pub mod spheres;
 pub mod statistics;
 pub mod storage;

@@ -1,11 +1,10 @@
 //! Spheres: what is said of them is never wrong, and not loose.
 
-use super::{
-    batches::{are_certain, bounds_all, viewport},
-    simd::Case,
-};
+use super::boxes::bounds_all;
 use crate::{
-    Failure, ensure,
+    Failure,
+    case::Case,
+    ensure,
     failure::Verdict,
     shapes::{Projection, Random},
 };
@@ -24,6 +23,19 @@ fn distance(a: [f32; 3], b: [f32; 3]) -> f64 {
 fn float_above(value: f64) -> f32 {
     let float = value as f32;
     if f64::from(float) < value { float.next_up() } else { float }
+}
+
+/// Center and radius of a sphere that has a triangle in it. The radius is not a number where a corner is none.
+#[cfg(feature = "simd")]
+pub(super) fn sphere_round(corners: [[f32; 3]; 3]) -> ([f32; 3], f32) {
+    let center = [0, 1, 2].map(|axis| corners.iter().map(|p| p[axis] / 3.0).fold(0.0, |a, b| a + b));
+    let distances = corners.map(|corner| distance(corner, center));
+    let radius = if distances.iter().any(|v| v.is_nan()) {
+        f32::NAN
+    } else {
+        float_above(distances.into_iter().fold(0.0, f64::max))
+    };
+    (center, radius)
 }
 
 /// Triangles inside a sphere cover no pixel outside its bound, at no depth outside, for spheres round some of the
@@ -47,32 +59,8 @@ pub fn spheres_bound_what_they_hold(case: &Case) -> Result<bool, Failure> {
     let inside = |corner: u32| distance(position(corner), center) <= f64::from(radius);
     let held: Vec<u32> =
         triangles.iter().filter(|t| t.iter().all(|&corner| inside(corner))).flatten().copied().collect();
-    let bound = viewport(case)?.bound_sphere(&case.model.matrix, center, radius, case.state()?.sample);
+    let bound = case.core_viewport()?.bound_sphere(&case.model.matrix, center, radius, case.state()?.sample);
     bounds_all(case, bound, &held)
-}
-
-/// After a frame, what is said of spheres round its triangles is the same at every level, and drawing what is said to be
-/// out of sight changes no pixel. How often each answer was given: outside, hidden, visible.
-pub fn answers_about_spheres_are_certain(case: &Case) -> Result<[u32; 3], Failure> {
-    let spheres: Vec<_> = case
-        .indices
-        .as_chunks::<3>()
-        .0
-        .iter()
-        .map(|corners| {
-            let points = corners.map(|corner| case.model.vertices[corner as usize]);
-            let center = [0, 1, 2].map(|axis| points.iter().map(|p| p[axis] / 3.0).fold(0.0, |a, b| a + b));
-            let distances = points.map(|point| distance(point, center));
-            // Not a number where a vertex is none.
-            let radius = if distances.iter().any(|v| v.is_nan()) {
-                f32::NAN
-            } else {
-                float_above(distances.into_iter().fold(0.0, f64::max))
-            };
-            (center, radius)
-        })
-        .collect();
-    are_certain(case, &spheres)
 }
 
 /// Triangles of any points of a sphere and in it are in its bound, whatever the matrix. Whether the bound said anything
@@ -95,11 +83,11 @@ pub fn points_of_spheres_are_in_their_bound(
     let radius = float_above(vertices.iter().map(|&p| distance(p, center)).fold(f64::from(radius), f64::max));
     let mut case = case.clone();
     (case.model.vertices, case.indices) = (vertices, (0..36).collect());
-    let bound = viewport(&case)?.bound_sphere(&case.model.matrix, center, radius, case.state()?.sample);
+    let bound = case.core_viewport()?.bound_sphere(&case.model.matrix, center, radius, case.state()?.sample);
     if let Bound::Within { area, depths } = bound {
         let positions = case.positions()?;
         for clip in (0..case.model.vertices.len()).filter_map(|at| positions.clip(at)) {
-            has_vertex(&viewport(&case)?, area, depths, clip)?;
+            has_vertex(&case.core_viewport()?, area, depths, clip)?;
         }
     }
     bounds_all(&case, bound, &case.indices)
@@ -241,7 +229,7 @@ pub fn spheres_left_out_are_outside(
         direction = direction.map(|v| v / length * radius);
         let [x, y, z] = [0, 1, 2].map(|axis| center[axis] + direction[axis]);
         let vertices = [[x, y, z]];
-        let positions = ModelPositions::new(&vertices, case.model.matrix, viewport(case)?);
+        let positions = ModelPositions::new(&vertices, case.model.matrix, case.core_viewport()?);
         let [x, y, z, w] = positions.clip(0).ok_or_else(|| Failure::new("no vertex"))?;
         let inside = x >= -w && x <= w && y >= -w && y <= w && z >= 0.0 && z <= w && w >= 0.0;
         ensure!(!inside, "a point of a sphere that was left out is inside: {:?}", [x, y, z, w]);

@@ -4,6 +4,8 @@ mod depth;
 mod hidden;
 mod hierarchical;
 mod one_lane;
+#[cfg(feature = "simd")]
+mod rows;
 mod samples;
 mod storage;
 #[cfg(test)]
