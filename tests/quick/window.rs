@@ -3,8 +3,8 @@
 //! not run it, as it has the same properties with more cases.
 
 use halfplane::{
-    Bounds, ClipPositions, Cull, D16, D32, DepthFormat, DepthTest, Format, Region, Small, Standard, State,
-    Vertex, Viewport, Winding, bins::TileOrder,
+    Bounds, ClipPositions, Compare, Cull, D16, D32, DepthFormat, DepthTest, Format, Region, Small, Standard,
+    State, Vertex, Viewport, Winding, bins::TileOrder,
 };
 use halfplane_reference::DepthSpec;
 use halfplane_tests::{
@@ -219,6 +219,16 @@ fn of_bins(random: &mut Random) -> Verdict {
         )?;
     }
     for _ in 0..40 {
+        // Pieces of clipped triangles in view.
+        let mut number = |from: i64, to: i64| random.between(from, to) as f32 / 1000.0;
+        let corners = [0; 15]
+            .map(|_: u32| [number(-3000, 3000), number(-3000, 3000), number(-500, 1500), number(200, 2000)]);
+        let region = Region::<Standard>::of_size(1 + random.below(300) as u32, 1 + random.below(300) as u32)?;
+        let positions = ClipPositions::new(&corners, Viewport::new(region));
+        let indices: Vec<u32> = (0..15).collect();
+        bins::binned_is_immediate(&positions, &indices, region, &State::new(region), random.bits())?;
+    }
+    for _ in 0..40 {
         let size = [0; 2].map(|_: u32| 1 + random.below(300) as u32);
         let mut frame = Frame::whole::<Standard>(size[0], size[1]);
         let shots: Vec<Shot> = (0..24).map(|_| shot::<Standard>(random, &frame)).collect();
@@ -239,7 +249,7 @@ fn of_hierarchies<F: Format, D: DepthFormat<F>>(random: &mut Random, spec: Depth
     for case in 0..60 {
         let test = DepthTest { compare: COMPARISONS[random.below(5)], write: random.below(4) > 0 };
         let side = if case % 4 == 0 { 150 } else { 40 };
-        let frame = Frame::whole::<F>(1 + random.below(side) as u32, 1 + random.below(side) as u32);
+        let frame = small_frame::<F>(random, side);
         let shots: Vec<Shot> = (0..24).map(|_| shot::<F>(random, &frame)).collect();
         hierarchical::answers_are_those_of_the_pixels::<F, D>(
             &frame,
@@ -249,6 +259,9 @@ fn of_hierarchies<F: Format, D: DepthFormat<F>>(random: &mut Random, spec: Depth
             random.bits(),
         )?;
         hierarchical::hidden_triangles_change_nothing::<F, D>(&frame, &shots, test)?;
+        let region = small_frame::<F>(random, 100).core_region::<F>()?;
+        let compare = [Compare::Less, Compare::GreaterEqual][random.below(2)];
+        hierarchical::holes_are_found::<F, D>(region, compare, random.bits())?;
         hierarchical::short_memory_is_refused(1 + random.below(200) as u32, 9, random.bits() as usize)?;
     }
     Ok(())

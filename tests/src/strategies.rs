@@ -3,6 +3,7 @@
 use crate::{
     Frame,
     case::{Case, Numbers},
+    frame::into_guard_band,
     shapes::{Corners, Kind, depths, triangle},
 };
 use halfplane::Format;
@@ -58,6 +59,27 @@ pub fn scene<F: Format>(side: u32, most: usize) -> impl Strategy<Value = (Frame,
             z: depths(z),
         });
         (frame, shots.collect())
+    })
+}
+
+/// The same beside a region's corner that is a multiple of 4.
+pub fn scene_anywhere<F: Format>(side: u32, most: usize) -> impl Strategy<Value = (Frame, Vec<Shot>)> {
+    (scene::<F>(side, most), numbers::<2>()).prop_map(|((mut frame, mut shots), place)| {
+        let [_, _, width, height] = frame.region;
+        // At the origin, half of the time.
+        let [x, y] = [(place[0], width), (place[1], height)]
+            .map(|(at, size)| if at % 2 == 0 { 0 } else { (at / 2 % (F::MAX_TARGET - size + 1)) & !3 });
+        frame.region = [x, y, x + width, y + height];
+        frame.scissor = frame.region;
+        for shot in &mut shots {
+            shot.frame = frame;
+            shot.corners = shot.corners.map(|[cx, cy]| {
+                [(cx, x), (cy, y)].map(|(v, moved)| {
+                    into_guard_band::<F>(i64::from(v) + (i64::from(moved) << F::SUBPIXEL_BITS))
+                })
+            });
+        }
+        (frame, shots)
     })
 }
 

@@ -6,13 +6,13 @@ use halfplane_tests::{
     properties::{
         depth_test::COMPARISONS,
         hierarchical::{
-            Answers, answers_are_those_of_the_pixels, hidden_triangles_change_nothing,
+            Answers, answers_are_those_of_the_pixels, hidden_triangles_change_nothing, holes_are_found,
             short_memory_is_refused,
         },
     },
     run::check,
     sizes,
-    strategies::scene,
+    strategies::{frame, scene_anywhere},
 };
 use proptest::prelude::*;
 use std::cell::Cell;
@@ -33,7 +33,7 @@ fn answers<F: Format, D: DepthFormat<F>>(spec: DepthSpec) {
     for compare in COMPARISONS {
         for write in [true, false] {
             let met = Cell::default();
-            let case = (scene::<F>(150, 6), any::<u64>());
+            let case = (scene_anywhere::<F>(150, 6), any::<u64>());
             check(sizes::HIERARCHY, case, |((frame, shots), seed)| {
                 let test = DepthTest { compare, write };
                 add(&met, answers_are_those_of_the_pixels::<F, D>(&frame, &shots, test, spec, seed)?);
@@ -65,7 +65,7 @@ fn answers_of_small_are_those_of_the_pixels() {
 fn hidden<F: Format, D: DepthFormat<F>>() {
     for compare in COMPARISONS {
         let met = Cell::default();
-        check(sizes::HIERARCHY, scene::<F>(60, 24), |(frame, shots)| {
+        check(sizes::HIERARCHY, scene_anywhere::<F>(60, 24), |(frame, shots)| {
             let test = DepthTest { compare, write: true };
             add(&met, hidden_triangles_change_nothing::<F, D>(&frame, &shots, test)?);
             Ok(())
@@ -85,6 +85,32 @@ fn hidden_triangles_of_standard_change_nothing() {
 #[test]
 fn hidden_triangles_of_small_change_nothing() {
     hidden::<Small, D16>();
+}
+
+fn holes<F: Format, D: DepthFormat<F>>() {
+    for compare in COMPARISONS {
+        let met = Cell::default();
+        check(sizes::HIERARCHY, (frame::<F>(), any::<u64>()), |(frame, seed)| {
+            if compare != Compare::Always {
+                add(&met, holes_are_found::<F, D>(frame.core_region()?, compare, seed)?);
+            }
+            Ok(())
+        });
+        if compare != Compare::Always {
+            assert_both(&met, 30);
+        }
+    }
+}
+
+#[test]
+fn holes_in_standard_are_found() {
+    holes::<Standard, D32>();
+    holes::<Standard, D16>();
+}
+
+#[test]
+fn holes_in_small_are_found() {
+    holes::<Small, D16>();
 }
 
 #[test]

@@ -7,6 +7,7 @@ use halfplane::{
     bins::{Added, BinChunk, BinTile, BinnedDraw, BinnedTriangle, Bins, TileOrder, bin_tiles, draw_binned},
     blocks, draw, texels,
 };
+use std::collections::BTreeSet;
 
 /// How often what happened.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -225,6 +226,9 @@ fn by_steps<F: Format, P: Positions<F> + ?Sized, A: Attachment<F>>(
 pub fn errors_change_nothing<F: Format>(region: Region<F>, seed: u64) -> Verdict {
     let mut random = Random(seed);
     let mut memory = Memory::new(region, bin_tiles(region), 10);
+    let side = |from: u32, to: u32| (from..to).map(|pixel| pixel / 64).collect::<BTreeSet<_>>().len();
+    let touched = side(region.x0(), region.x1()) * side(region.y0(), region.y1());
+    ensure_eq!(bin_tiles(region), touched, "tiles of {region:?}");
     let (needed, given) = (memory.tiles.len(), random.below(memory.tiles.len()));
     let short = Bins::new(region, &mut memory.tiles[..given], &mut memory.chunks, &mut memory.triangles);
     ensure_eq!(

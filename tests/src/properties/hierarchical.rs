@@ -2,8 +2,8 @@
 
 use crate::{Failure, Frame, ensure, ensure_eq, failure::Verdict, shapes::Random, strategies::Shot};
 use halfplane::{
-    Compare, DepthFormat, DepthRange, DepthTest, Format, HierarchicalDepth, Region, StorageError,
-    depth_ranges, draw, texels,
+    Compare, Depth, DepthFormat, DepthRange, DepthTest, Format, HierarchicalDepth, Region, State,
+    StorageError, depth_ranges, draw, texels,
 };
 use halfplane_reference::DepthSpec;
 
@@ -28,7 +28,8 @@ const fn passes(compare: Compare, depth: i64, stored: i64) -> bool {
 }
 
 /// Asks between draws, of depths close to the stored ones, and compares each answer with what the stored depths say
-/// one by one; whatever was there before, and whatever was asked before.
+/// one by one; whatever was there before, and whatever was asked before. The depths are those of an attachment
+/// that nobody asks.
 pub fn answers_are_those_of_the_pixels<F: Format, D: DepthFormat<F>>(
     frame: &Frame,
     shots: &[Shot],
@@ -43,18 +44,26 @@ pub fn answers_are_those_of_the_pixels<F: Format, D: DepthFormat<F>>(
     // What ranges hold before is of no account, nor are those beyond the last.
     let mut ranges = vec![DepthRange::UNKNOWN; depth_ranges(width, height) + random.below(3)];
     let mut answers = Answers::default();
+    let mut plain_storage = storage.clone();
+    let mut plain = Depth::<F, D>::new(region, &mut plain_storage, test)?;
     for _ in 0..2 {
         let mut depth = HierarchicalDepth::<F, D>::new(region, &mut storage, &mut ranges, test)?;
+        ensure_eq!(depth.region(), region, "the region");
         if random.below(3) == 0 {
-            depth.clear([D::FAR, D::NEAR][random.below(2)]);
+            let value = [D::FAR, D::NEAR][random.below(2)];
+            depth.clear(value);
+            plain.clear(value);
         }
         let vertices = super::scene::vertices::<F>(shots)?;
         for (at, shot) in shots.iter().enumerate() {
             let first = 3 * at as u32;
-            draw(&vertices[..], &[first, first + 1, first + 2], 0, &frame.state()?, &mut depth)?;
+            let corners = [first, first + 1, first + 2];
+            let drawn = draw(&vertices[..], &corners, 0, &frame.state()?, &mut depth)?;
+            ensure_eq!(drawn, draw(&vertices[..], &corners, 0, &frame.state()?, &mut plain)?, "statistics");
             for _ in 0..random.below(6) {
                 let question = Question::new(frame, shot, &mut random);
                 let Some(area) = question.region::<F>() else { continue };
+                ensure_eq!(depth.range(area), range_of(&plain, question.area), "range of {question:?}");
                 let expected = question.is_hidden(&depth, test.compare, spec);
                 ensure_eq!(depth.hides(area, question.nearest), expected, "{question:?} under {test:?}");
                 if expected {
@@ -64,8 +73,72 @@ pub fn answers_are_those_of_the_pixels<F: Format, D: DepthFormat<F>>(
                 }
             }
             if random.below(8) == 0 {
-                depth.clear([D::FAR, D::NEAR][random.below(2)]);
+                let value = [D::FAR, D::NEAR][random.below(2)];
+                depth.clear(value);
+                plain.clear(value);
             }
+        }
+        let mut pictures = [0, 1].map(|_| vec![D::FAR; (width * height) as usize]);
+        depth.depth().to_linear(&mut pictures[0])?;
+        plain.to_linear(&mut pictures[1])?;
+        ensure!(pictures[0] == pictures[1], "depths are not those of an attachment that nobody asks");
+        let [x0, y0, x1, y1] = frame.region;
+        if let Ok(larger) = Region::new(x0, y0, x1 + 1, y1) {
+            let state = State { scissor: larger, ..frame.state()? };
+            let refused = draw(&vertices[..], &[0u8, 1, 2], 0, &state, &mut depth).err();
+            ensure_eq!(refused, draw(&vertices[..], &[0u8, 1, 2], 0, &state, &mut plain).err(), "outside");
+            ensure!(refused.is_some(), "drawn outside the region");
+        }
+    }
+    Ok(answers)
+}
+
+/// The smallest and the largest depth of an area's pixels, one by one.
+fn range_of<F: Format, D: DepthFormat<F>>(
+    depth: &Depth<'_, F, D>,
+    [x0, y0, x1, y1]: [u32; 4],
+) -> Option<[D::Texel; 2]> {
+    let stored = (y0..y1).flat_map(|y| (x0..x1).filter_map(move |x| depth.get(x, y)));
+    stored.fold(None, |range, depth| {
+        let [low, high] = range.unwrap_or([depth; 2]);
+        Some([low.min(depth), high.max(depth)])
+    })
+}
+
+/// A surface in front of everything, with a few holes of a pixel: an area is hidden where no hole is in it, whatever
+/// was asked before.
+pub fn holes_are_found<F: Format, D: DepthFormat<F>>(
+    region: Region<F>,
+    compare: Compare,
+    seed: u64,
+) -> Result<Answers, Failure> {
+    let mut random = Random(seed);
+    let farther_wins = matches!(compare, Compare::Greater | Compare::GreaterEqual);
+    let (surface, hole) = if farther_wins { (D::FAR, D::NEAR) } else { (D::NEAR, D::FAR) };
+    let (width, height) = (region.width(), region.height());
+    let mut storage = vec![surface; texels(width, height)];
+    for _ in 0..random.below(4) {
+        let at = random.below(storage.len());
+        storage[at] = hole;
+    }
+    let mut ranges = vec![DepthRange::UNKNOWN; depth_ranges(width, height)];
+    let mut answers = Answers::default();
+    let test = DepthTest { compare, write: true };
+    let mut depth = HierarchicalDepth::<F, D>::new(region, &mut storage, &mut ranges, test)?;
+    let part = |from: u32, to: u32, random: &mut Random| {
+        let first = from + random.below((to - from) as usize) as u32;
+        (first, first + 1 + random.below((to - first) as usize) as u32)
+    };
+    for _ in 0..20 {
+        let (x0, x1) = part(region.x0(), region.x1(), &mut random);
+        let (y0, y1) = part(region.y0(), region.y1(), &mut random);
+        let holes = (y0..y1).any(|y| (x0..x1).any(|x| depth.depth().get(x, y) == Some(hole)));
+        let hidden = depth.hides(Region::new(x0, y0, x1, y1)?, 1 << 31);
+        ensure_eq!(hidden, !holes, "({x0}, {y0}) to ({x1}, {y1}) of {region:?}");
+        if hidden {
+            answers.hidden += 1;
+        } else {
+            answers.seen += 1;
         }
     }
     Ok(answers)
