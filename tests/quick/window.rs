@@ -193,6 +193,9 @@ where
 
 fn of_bins(random: &mut Random) -> Verdict {
     bins::what_waits_comes_first(Region::of_size(130, 70)?)?;
+    for [triangles, room] in [[0, 3], [1, 0], [7, 0], [7, 3], [7, 7]] {
+        bins::rounds_are_counted(triangles, room)?;
+    }
     for tiles in 2..12 {
         bins::a_diagonal_needs_few_tiles(tiles)?;
     }

@@ -5,8 +5,8 @@ use halfplane_tests::{
     Failure, Frame,
     properties::{
         bins::{
-            Met, a_diagonal_needs_few_tiles, binned_is_immediate, errors_change_nothing, samples_do_not_mix,
-            tiles_come_in_order, what_did_not_fit_is_gone, what_waits_comes_first,
+            Met, a_diagonal_needs_few_tiles, binned_is_immediate, errors_change_nothing, rounds_are_counted,
+            samples_do_not_mix, tiles_come_in_order, what_did_not_fit_is_gone, what_waits_comes_first,
         },
         scene::vertices,
     },
@@ -125,6 +125,11 @@ fn triangles_that_did_not_fit_leave_nothing_behind() {
 #[test]
 fn waiting_triangles_come_first() -> Result<(), Failure> {
     what_waits_comes_first(Region::of_size(130, 70)?)
+}
+
+#[test]
+fn rounds_are_as_many_as_the_memory_makes_them() -> Result<(), Failure> {
+    (0..10).try_for_each(|triangles| (0..6).try_for_each(|room| rounds_are_counted(triangles, room)))
 }
 
 #[test]

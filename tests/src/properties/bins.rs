@@ -330,8 +330,28 @@ pub fn what_waits_comes_first(region: Region<halfplane::Standard>) -> Verdict {
     let drawn = picture.paint(region, |all| {
         Ok(draw_binned(&mut bins, &vertices[..], &[0u32, 1, 2], 6, &state, order, all)?)
     })?;
-    ensure_eq!(drawn.statistics.submitted, 1, "what waited is not counted");
+    ensure_eq!((drawn.statistics.submitted, drawn.statistics.drawn), (1, 1), "what waited is not counted");
     ensure_eq!((picture.nearest[0], picture.last[0]), (5, 6), "the first and the last");
+    Ok(())
+}
+
+/// So many equal triangles, with room for some at a time: as many rounds as that takes, or none and each by itself.
+pub fn rounds_are_counted(triangles: usize, room: usize) -> Verdict {
+    let region = Region::<halfplane::Standard>::of_size(130, 70)?;
+    let mut memory = Memory::new(region, 100, room);
+    let mut bins = memory.bins(region)?;
+    let indices = [0u32, 1, 2].repeat(triangles);
+    let state = State::new(region);
+    let vertices = over_all(region)?;
+    let drawn =
+        draw_binned(&mut bins, &vertices[..], &indices, 0, &state, TileOrder::Rows, &mut Count::default())?;
+    let expected = if room == 0 { (0, triangles) } else { (triangles.div_ceil(room), 0) };
+    ensure_eq!(
+        (drawn.rounds as usize, drawn.unbinned as usize),
+        expected,
+        "{triangles} triangles, room for {room}"
+    );
+    ensure_eq!(drawn.statistics.drawn as usize, triangles, "{triangles} triangles, room for {room}");
     Ok(())
 }
 
