@@ -196,6 +196,11 @@ fn of_bins(random: &mut Random) -> Verdict {
     for [triangles, room] in [[0, 3], [1, 0], [7, 0], [7, 3], [7, 7]] {
         bins::rounds_are_counted(triangles, room)?;
     }
+    for small in 1..60 {
+        for chunks in 1..6 {
+            bins::what_did_not_fit_is_gone(small, chunks, small / 2)?;
+        }
+    }
     for tiles in 2..12 {
         bins::a_diagonal_needs_few_tiles(tiles)?;
     }
@@ -209,7 +214,6 @@ fn of_bins(random: &mut Random) -> Verdict {
         let region = frame.core_region::<Standard>()?;
         bins::errors_change_nothing(region, random.bits())?;
         bins::samples_do_not_mix(region, frame.core_sample()?)?;
-        bins::what_did_not_fit_is_gone(1 + random.below(60), 1 + random.below(9), random.below(60))?;
         let triangles = [0; 10].map(|_: u32| clip_bits(random.words()));
         let positions = ClipPositions::new(triangles.as_flattened(), Viewport::new(region));
         let indices: Vec<u32> = (0..30).collect();

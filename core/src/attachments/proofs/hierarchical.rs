@@ -128,6 +128,19 @@ prove! {
         cover!(first != second && columns == 6);
     }
 
+    /// After the last version, what was found before is of none.
+    #[kani::unwind(7)]
+    [Squares::forget]
+    fn forgotten_squares_are_looked_at_again(place: [u32; 2] = [0; 2]..=[2, 1], found: [u32; 2], version: u32) {
+        let mut memory = [DepthRange::UNKNOWN; 6];
+        let (mut squares, _) = Squares::split(&mut memory, 3, 2);
+        let [low, high] = found;
+        squares.set(place[0], place[1], DepthRange { low, high, version });
+        squares.forget();
+        assert!(squares.get(place[0], place[1]) == DepthRange { low, high, version: 0 });
+        cover!(version == u32::MAX);
+    }
+
     /// A square of a region is its sixteen columns and rows, as far as the region has them.
     [square]
     fn squares_are_parts_of_the_region(
