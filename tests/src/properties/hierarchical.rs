@@ -106,35 +106,43 @@ fn range_of<F: Format, D: DepthFormat<F>>(
 }
 
 /// A surface in front of everything, with a few holes of a pixel: an area is hidden where no hole is in it, whatever
-/// was asked before.
+/// was asked before. Some regions have several tiles to a side.
 pub fn holes_are_found<F: Format, D: DepthFormat<F>>(
-    region: Region<F>,
     compare: Compare,
     seed: u64,
 ) -> Result<Answers, Failure> {
     let mut random = Random(seed);
+    let most = [40, 100, 100, 400][random.below(4)];
+    let [width, height] = [0; 2].map(|_| 1 + random.below(most) as u32);
+    let [x0, y0] = [width, height].map(|size| {
+        // At the origin, half of the time.
+        let corner = random.below((F::MAX_TARGET - size + 1) as usize) as u32;
+        if random.below(2) == 0 { 0 } else { corner & !3 }
+    });
+    let region = Region::<F>::new(x0, y0, x0 + width, y0 + height)?;
     let farther_wins = matches!(compare, Compare::Greater | Compare::GreaterEqual);
     let (surface, hole) = if farther_wins { (D::FAR, D::NEAR) } else { (D::NEAR, D::FAR) };
-    let (width, height) = (region.width(), region.height());
     let mut storage = vec![surface; texels(width, height)];
     for _ in 0..random.below(4) {
         let at = random.below(storage.len());
         storage[at] = hole;
     }
     let mut ranges = vec![DepthRange::UNKNOWN; depth_ranges(width, height)];
-    let mut answers = Answers::default();
     let test = DepthTest { compare, write: true };
     let mut depth = HierarchicalDepth::<F, D>::new(region, &mut storage, &mut ranges, test)?;
-    let part = |from: u32, to: u32, random: &mut Random| {
-        let first = from + random.below((to - from) as usize) as u32;
-        (first, first + 1 + random.below((to - first) as usize) as u32)
+    let pixels = (y0..y0 + height).flat_map(|y| (x0..x0 + width).map(move |x| (x, y)));
+    let holes: Vec<_> = pixels.filter(|&(x, y)| depth.depth().get(x, y) == Some(hole)).collect();
+    let part = |from: u32, size: u32, random: &mut Random| {
+        let first = random.below(size as usize) as u32;
+        (from + first, from + first + 1 + random.below((size - first) as usize) as u32)
     };
+    let mut answers = Answers::default();
     for _ in 0..20 {
-        let (x0, x1) = part(region.x0(), region.x1(), &mut random);
-        let (y0, y1) = part(region.y0(), region.y1(), &mut random);
-        let holes = (y0..y1).any(|y| (x0..x1).any(|x| depth.depth().get(x, y) == Some(hole)));
-        let hidden = depth.hides(Region::new(x0, y0, x1, y1)?, 1 << 31);
-        ensure_eq!(hidden, !holes, "({x0}, {y0}) to ({x1}, {y1}) of {region:?}");
+        let (left, right) = part(x0, width, &mut random);
+        let (top, bottom) = part(y0, height, &mut random);
+        let seen = holes.iter().any(|(x, y)| (left..right).contains(x) && (top..bottom).contains(y));
+        let hidden = depth.hides(Region::new(left, top, right, bottom)?, 1 << 31);
+        ensure_eq!(hidden, !seen, "({left}, {top}) to ({right}, {bottom}) of {region:?}, holes {holes:?}");
         if hidden {
             answers.hidden += 1;
         } else {
