@@ -1,8 +1,8 @@
 //! Attachments of attachments: references, pairs, triples and none.
 
 use halfplane::{
-    Attachment, Block, Count, Coverage, Depth, DepthTest, Ids, Mask, NO_ID, OutsideAttachment, Region,
-    Sample, Standard, Triangle, Vertex, draw,
+    Attachment, Block, Count, Coverage, Depth, DepthRange, DepthTest, HierarchicalDepth, Ids, Mask, NO_ID,
+    OutsideAttachment, Region, Sample, Standard, Triangle, Vertex, draw,
 };
 
 /// Writes down what it is told, and lets some samples through.
@@ -79,6 +79,22 @@ fn depth_lets_through_what_is_nearer() {
     let mut depth: Depth<'_, Standard> = Depth::new(region, &mut texels, DepthTest::LESS).unwrap();
     assert_eq!(passed(&mut depth, 0x8006), 0x8002);
     assert_eq!(passed(&mut depth, 0x8007), 0x0001);
+}
+
+/// So does the one that can be asked, block by block: what is written then is known.
+#[test]
+fn hierarchical_depth_lets_through_what_is_nearer() {
+    let region = Region::<Standard>::of_size(4, 4).unwrap();
+    let (mut texels, mut ranges) = ([(1 << 30) + 1; 16], [DepthRange::UNKNOWN; 2]);
+    texels[2] = 1 << 30;
+    let mut depth: HierarchicalDepth<'_, Standard> =
+        HierarchicalDepth::new(region, &mut texels, &mut ranges, DepthTest::LESS).unwrap();
+    assert!(!depth.hides(region, (1 << 30) + 1));
+    assert_eq!(passed(&mut depth, 0x8006), 0x8002);
+    assert_eq!(passed(&mut depth, 0x8007), 0x0001);
+    assert_eq!(depth.depth().get(3, 3), Some(1 << 30));
+    assert_eq!(passed(&mut depth, 0xFFFF), 0x7FF8);
+    assert!(depth.hides(region, (1 << 30) + 1));
 }
 
 /// Those that only write or count let every sample through.

@@ -59,12 +59,13 @@ prove! {
         cover!(places[2][1] == y && places[1][1] == y && places[2][0] < places[1][0]);
     }
 
-    /// A plane's gradients are those of its corners: one step apart to the right, of 1024 depths.
+    /// A plane's gradients are those of its corners: one step apart to the right and down, of 1024 depths.
     [Plane::new, gradients, gradient]
     fn slow_planes_have_the_gradient_of_their_corners(z: u32 = 0..=1023) {
-        let depths = [5000, 5000 + z, 5000].map(|z| Words::splat(simd(), z));
+        let depths = [5000, 5000 + z, 5000 + 2 * z].map(|z| Words::splat(simd(), z));
         let plane = Plane::new(simd(), corners([[0, 0], [1, 0], [0, 1]]), depths, ops::splat(simd(), 1));
-        assert!(longs(plane.x[0])[3] == u64::from(z) << 32 && longs(plane.y[0])[3] == 0);
+        assert!(longs(plane.x[0])[3] == u64::from(z) << 32);
+        assert!(longs(plane.y[0])[3] == u64::from(z) << 33);
         cover!(z == 1000);
     }
 
