@@ -93,6 +93,14 @@ fn volumes(random: &mut Random) -> Verdict {
             random.bits(),
         )?;
         spheres::spheres_left_out_are_outside(&case, center, radius, random.bits())?;
+        let low = [0; 3].map(|_: u32| 4.0 * unit(random));
+        let extent = [0; 3].map(|_: u32| match random.below(3) {
+            0 => 0.0,
+            _ => (random.between(-128, 48) as f32 / 16.0).exp2(),
+        });
+        boxes::points_of_boxes_are_in_their_bound(&case, low, extent, random.bits())?;
+        let beside = [0; 4].map(|_: u32| random.between(-8, 8) as i32);
+        boxes::rectangles_beside_samples_are_in_their_bound(random.words(), beside)?;
         let size = [0; 2].map(|_: u32| 1 + random.below(16384) as u32);
         let [x, y, z] = [0; 3].map(|_: u32| unit(random));
         boxes::bounds_of_points_are_tight([x, y, z.abs()], size)?;

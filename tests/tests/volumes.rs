@@ -2,7 +2,10 @@
 
 use halfplane_tests::{
     properties::{
-        boxes::{bounds_of_points_are_tight, boxes_bound_what_they_hold},
+        boxes::{
+            bounds_of_points_are_tight, boxes_bound_what_they_hold, points_of_boxes_are_in_their_bound,
+            rectangles_beside_samples_are_in_their_bound,
+        },
         spheres::{
             bounds_of_no_spheres_are_anything, bounds_of_spheres_are_tight,
             points_before_tiny_matrices_are_in_their_bound, points_of_spheres_are_in_their_bound,
@@ -43,6 +46,26 @@ fn nothing_in_a_box_is_outside_its_bound() {
         Ok(())
     });
     bounded.assert_percent(33..100);
+}
+
+#[test]
+fn points_of_a_box_are_in_its_bound() {
+    let bounded = Said::default();
+    let size = (-12.0..3.0f32).prop_map(|scale| if scale < -8.0 { 0.0 } else { scale.exp2() });
+    let place = (array::uniform3(-4.0..4.0f32), array::uniform3(size), any::<u64>());
+    check(sizes::BOUND, (case(1..=1, &Kind::ALL), place), |(case, (low, size, seed))| {
+        bounded.count(points_of_boxes_are_in_their_bound(&case, low, size, seed)?);
+        Ok(())
+    });
+    bounded.assert_percent(33..100);
+}
+
+#[test]
+fn what_is_snapped_to_a_sample_is_in_its_bound() {
+    let strategy = (array::uniform4(any::<u32>()), array::uniform4(-8..=8i32));
+    check(sizes::BOUND, strategy, |(samples, beside)| {
+        rectangles_beside_samples_are_in_their_bound(samples, beside)
+    });
 }
 
 #[test]

@@ -2,7 +2,8 @@
 
 use crate::{Failure, case::Case, ensure, failure::Verdict, shapes::Random};
 use halfplane::{
-    Bound, Compare, Depth, DepthTest, Region, Standard, State, Viewport, draw,
+    Bound, Compare, Coverage, Depth, DepthTest, ModelPositions, Region, Standard, State, Viewport, blocks,
+    draw,
     numbers::{DEPTH32_MAX, DEPTH32_MIN},
     texels,
 };
@@ -90,6 +91,97 @@ pub fn bounds_of_points_are_tight(point: [f32; 3], size: [u32; 2]) -> Verdict {
         }
         Bound::Nothing => (),
         Bound::Anything => return Err(Failure::new(format_args!("anything for {point:?}"))),
+    }
+    Ok(())
+}
+
+/// Vertices of a box, at its corners and in it, and triangles of them, are in its bound, whatever the matrix. Boxes of
+/// one point show that rounding is allowed for. Whether the bound said anything of use.
+pub fn points_of_boxes_are_in_their_bound(
+    case: &Case,
+    low: [f32; 3],
+    size: [f32; 3],
+    seed: u64,
+) -> Result<bool, Failure> {
+    let mut random = Random(seed);
+    let high = [0, 1, 2].map(|axis| low[axis] + size[axis]);
+    let vertices = (0..36).map(|_| {
+        [0, 1, 2].map(|axis| match random.below(4) {
+            0 => low[axis],
+            1 => high[axis],
+            _ => (low[axis] + size[axis] * random.below(1000) as f32 / 1000.0).clamp(low[axis], high[axis]),
+        })
+    });
+    let mut case = case.clone();
+    (case.model.vertices, case.indices) = (vertices.collect(), (0..36).collect());
+    let bound = case.core_viewport()?.bound_box(&case.model.matrix, [low, high], case.state()?.sample);
+    has_vertices(&case, bound)?;
+    bounds_all(&case, bound, &case.indices)
+}
+
+/// All vertices of a case that are in view are at one of a bound's depths, and in one of its pixels or less than a pixel
+/// from their samples.
+pub(super) fn has_vertices(case: &Case, bound: Bound<Standard>) -> Verdict {
+    let Bound::Within { area, depths } = bound else { return Ok(()) };
+    let (positions, viewport) = (case.positions()?, case.core_viewport()?);
+    for clip in (0..case.model.vertices.len()).filter_map(|at| positions.clip(at)) {
+        has_vertex(&viewport, area, depths, clip)?;
+    }
+    Ok(())
+}
+
+/// A vertex in view is at one of the depths, and in one of the pixels or less than a pixel from their samples.
+fn has_vertex(
+    viewport: &Viewport<Standard>,
+    area: Region<Standard>,
+    [nearest, farthest]: [u32; 2],
+    clip: [f32; 4],
+) -> Verdict {
+    let Some(vertex) = viewport.project(clip) else { return Ok(()) };
+    let (z, range) = (vertex.z(), |depth: u32| depth.clamp(DEPTH32_MIN, DEPTH32_MAX));
+    ensure!(range(nearest) <= z && z <= range(farthest), "depth {z}, not {nearest}..={farthest}");
+    let region = viewport.region();
+    let sides = [
+        (vertex.x(), area.x0(), area.x1(), region.x0(), region.x1()),
+        (vertex.y(), area.y0(), area.y1(), region.y0(), region.y1()),
+    ];
+    for (at, first, end, from, to) in sides {
+        let [first, end, from, to] = [first, end, from, to].map(|pixel| 256 * pixel as i32);
+        let beside = (from..to).contains(&at) && (at < first - 257 || at > end + 257);
+        ensure!(!beside, "a vertex at {at}, beside {first}..{end}");
+    }
+    Ok(())
+}
+
+/// A rectangle whose corners are less than a sub-pixel step beside samples covers nothing outside its bound: snapping
+/// moves it by up to half a step. Distances from the samples are in 1/8 steps.
+pub fn rectangles_beside_samples_are_in_their_bound(samples: [u32; 4], beside: [i32; 4]) -> Verdict {
+    let region = Region::<Standard>::of_size(64, 64)?;
+    let (state, viewport) = (State::new(region), Viewport::new(region));
+    let [left, top, right, bottom] = [0, 1, 2, 3].map(|at| {
+        // 1/8 steps of 1/256 pixels: 2048 to a pixel.
+        let place = (2048 * (samples[at] % 64) + 1024) as i32 + beside[at];
+        place as f32 / (32.0 * 2048.0) - 1.0
+    });
+    let (low, high) = ([left.min(right), -top.max(bottom), 0.5], [left.max(right), -top.min(bottom), 0.5]);
+    let corner = |right: bool, top: bool| {
+        [if right { high[0] } else { low[0] }, if top { high[1] } else { low[1] }, 0.5]
+    };
+    let vertices = [corner(false, true), corner(true, true), corner(true, false), corner(false, false)];
+    let matrix = [[1., 0., 0., 0.], [0., 1., 0., 0.], [0., 0., 1., 0.], [0., 0., 0., 1.]];
+    let positions = ModelPositions::new(&vertices, matrix, viewport);
+    let mut masks = vec![0; blocks(64, 64)];
+    let mut coverage = Coverage::new(region, &mut masks)?;
+    draw(&positions, &[0u8, 1, 2, 0, 2, 3], 0, &state, &mut coverage)?;
+    let bound = viewport.bound_box(&matrix, [low, high], state.sample);
+    let area = match bound {
+        Bound::Within { area, .. } => Some(area),
+        Bound::Nothing => None,
+        Bound::Anything => return Err(Failure::new("anything")),
+    };
+    for (x, y) in (0..64).flat_map(|y| (0..64).map(move |x| (x, y))) {
+        let inside = area.is_some_and(|a| (a.x0()..a.x1()).contains(&x) && (a.y0()..a.y1()).contains(&y));
+        ensure!(inside || coverage.get(x, y) != Some(true), "({x}, {y}) is covered, but not in {bound:?}");
     }
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! Spheres: what is said of them is never wrong, and not loose.
 
-use super::boxes::bounds_all;
+use super::boxes::{bounds_all, has_vertices};
 use crate::{
     Failure,
     case::Case,
@@ -8,10 +8,7 @@ use crate::{
     failure::Verdict,
     shapes::{Projection, Random},
 };
-use halfplane::{
-    Bound, Frustum, ModelPositions, Region, Sample, Standard, Viewport,
-    numbers::{DEPTH32_MAX, DEPTH32_MIN},
-};
+use halfplane::{Bound, Frustum, ModelPositions, Region, Sample, Standard, Viewport};
 
 /// The distance of two points; more than enough for them to be this far apart.
 fn distance(a: [f32; 3], b: [f32; 3]) -> f64 {
@@ -84,36 +81,8 @@ pub fn points_of_spheres_are_in_their_bound(
     let mut case = case.clone();
     (case.model.vertices, case.indices) = (vertices, (0..36).collect());
     let bound = case.core_viewport()?.bound_sphere(&case.model.matrix, center, radius, case.state()?.sample);
-    if let Bound::Within { area, depths } = bound {
-        let positions = case.positions()?;
-        for clip in (0..case.model.vertices.len()).filter_map(|at| positions.clip(at)) {
-            has_vertex(&case.core_viewport()?, area, depths, clip)?;
-        }
-    }
+    has_vertices(&case, bound)?;
     bounds_all(&case, bound, &case.indices)
-}
-
-/// A vertex in view is at one of the depths, and in one of the pixels or less than a pixel from their samples.
-fn has_vertex(
-    viewport: &Viewport<Standard>,
-    area: Region<Standard>,
-    [nearest, farthest]: [u32; 2],
-    clip: [f32; 4],
-) -> Verdict {
-    let Some(vertex) = viewport.project(clip) else { return Ok(()) };
-    let (z, range) = (vertex.z(), |depth: u32| depth.clamp(DEPTH32_MIN, DEPTH32_MAX));
-    ensure!(range(nearest) <= z && z <= range(farthest), "depth {z}, not {nearest}..={farthest}");
-    let region = viewport.region();
-    let sides = [
-        (vertex.x(), area.x0(), area.x1(), region.x0(), region.x1()),
-        (vertex.y(), area.y0(), area.y1(), region.y0(), region.y1()),
-    ];
-    for (at, first, end, from, to) in sides {
-        let [first, end, from, to] = [first, end, from, to].map(|pixel| 256 * pixel as i32);
-        let beside = (from..to).contains(&at) && (at < first - 257 || at > end + 257);
-        ensure!(!beside, "a vertex at {at}, beside {first}..{end}");
-    }
-    Ok(())
 }
 
 /// A unit vector, or a hundred thousandth longer or shorter.
