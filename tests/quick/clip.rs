@@ -109,6 +109,7 @@ fn volumes(random: &mut Random) -> Verdict {
         spheres::bounds_of_spheres_are_tight([1.5 * x * z, 1.5 * y * z, z], z * part)?;
         spheres::points_before_tiny_matrices_are_in_their_bound((-round as f32 / 20.0).exp2())?;
     }
+    boxes::quotients_beyond_floats_are_anywhere()?;
     nowhere()
 }
 

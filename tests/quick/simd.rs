@@ -71,9 +71,11 @@ fn of_queries(random: &mut Random) -> Verdict {
         batches::short_memory_is_refused(&case)?;
         lists::lists_out_of_sight_change_nothing(&case)?;
         lists::wrong_lists_are_refused(&case)?;
+        lists::lists_of_window_triangles_are_asked_about(&case)?;
         cones::meshes_are_their_triangles(&case)?;
     }
     batches::clusters_are_small(1000, random.bits())?;
+    batches::batches_are_the_mesh(&Case::grid(160))?;
     for _ in 0..300 {
         let power = |random: &mut Random, from: i64, to: i64| random.between(from, to) as i32;
         let patch = Patch {

@@ -115,6 +115,24 @@ impl Case {
         }
     }
 
+    /// A level grid of so many squares to a side, of which a quarter is in view: the middle, nothing before anything.
+    pub fn grid(side: u16) -> Self {
+        let frame = Frame::whole::<Standard>(100, 100);
+        let at = |v: u16| 4.0 * f32::from(v) / f32::from(side) - 2.0;
+        let vertices = (0..=side).flat_map(|y| (0..=side).map(move |x| [at(x), at(y), 0.5])).collect();
+        let pitch = u32::from(side) + 1;
+        let squares = (0..side).flat_map(|y| (0..side).map(move |x| u32::from(y) * pitch + u32::from(x)));
+        let indices = squares.flat_map(|a| [a, a + 1, a + pitch, a + pitch, a + 1, a + pitch + 1]).collect();
+        let matrix = [[1., 0., 0., 0.], [0., 1., 0., 0.], [0., 0., 1., 0.], [0., 0., 0., 1.]];
+        Self {
+            viewport: frame.region,
+            wanted: Vec::new(),
+            model: Model { vertices, matrix },
+            indices,
+            ..Self::single(frame, [[0; 2]; 3], [0; 3])
+        }
+    }
+
     /// Its vertices before its matrix and viewport.
     pub fn positions(&self) -> Result<ModelPositions<'_, Standard>, Failure> {
         Ok(ModelPositions::new(&self.model.vertices, self.model.matrix, self.core_viewport()?))

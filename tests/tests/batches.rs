@@ -3,6 +3,8 @@
 use crate::simd::Met;
 use halfplane::simd::Occlusion;
 use halfplane_tests::{
+    Failure,
+    case::Case,
     properties::batches::{
         answers_about_spheres_are_certain, answers_are_certain, batches_are_the_mesh, clusters_are_small,
         clusters_are_the_same_triangles, ids_of_batches_are_the_nearest, short_memory_is_refused,
@@ -53,6 +55,18 @@ fn frames_of_batches_are_those_of_the_mesh() {
         Ok(())
     });
     met.assert_drawn(20);
+}
+
+/// Meshlets beside the picture, and more in it than are worth asking about.
+#[test]
+fn frames_of_a_grid_are_those_of_the_mesh() -> Result<(), Failure> {
+    let (statistics, occlusion) = batches_are_the_mesh(&Case::grid(160))?;
+    println!("{statistics}, {occlusion:?}");
+    assert!(statistics.drawn > 12_000 && statistics.culled.outside > 30_000, "{statistics}");
+    assert_eq!(occlusion.hidden_meshlets, 0);
+    // A tenth is left out unasked.
+    assert!(occlusion.meshlets < statistics.drawn / 64, "{occlusion:?}");
+    Ok(())
 }
 
 /// More than fit into the scratch memory at a time, in several batches.

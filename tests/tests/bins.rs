@@ -101,6 +101,18 @@ fn bins_of_clipped_triangles_are_immediate() {
     assert_met(&met);
 }
 
+/// Nothing is added, and everything is counted.
+#[test]
+fn bins_beside_the_viewport_hold_nothing() -> Result<(), Failure> {
+    let (region, window) = (Region::<Standard>::of_size(100, 32)?, Region::new(0, 0, 8, 8)?);
+    let vertices = [[-0.5, -0.5, 0.5, 1.0], [0.5, -0.5, 0.5, 1.0], [0.0, 0.5, 0.5, 1.0], [f32::NAN; 4]];
+    let positions = ClipPositions::new(&vertices, Viewport::new(window));
+    let state = State { scissor: Region::new(16, 0, 90, 24)?, ..State::new(region) };
+    (0..20).try_for_each(|seed| {
+        binned_is_immediate(&positions, &[0, 1, 2, 1, 2, 3], region, &state, seed).map(|_| ())
+    })
+}
+
 #[test]
 fn refused_draws_change_nothing() {
     check(sizes::ERRORS, (frame::<Standard>(), any::<u64>()), |(frame, seed)| {

@@ -3,11 +3,12 @@
 use halfplane::{Compare, D16, D32, DepthFormat, DepthTest, Format, Small, Standard};
 use halfplane_reference::DepthSpec;
 use halfplane_tests::{
+    Failure,
     properties::{
         depth_test::COMPARISONS,
         hierarchical::{
             Answers, answers_are_those_of_the_pixels, hidden_triangles_change_nothing, holes_are_found,
-            short_memory_is_refused,
+            short_memory_is_refused, versions_come_round,
         },
     },
     run::check,
@@ -111,6 +112,11 @@ fn holes_in_standard_are_found() {
 #[test]
 fn holes_in_small_are_found() {
     holes::<Small, D16>();
+}
+
+#[test]
+fn versions_that_come_round_are_told_apart() -> Result<(), Failure> {
+    versions_come_round(70_000)
 }
 
 #[test]

@@ -1,7 +1,10 @@
 //! Questions about triangle lists.
 
 use halfplane_tests::{
-    properties::lists::{Said, lists_out_of_sight_change_nothing, wrong_lists_are_refused},
+    properties::lists::{
+        Said, lists_of_window_triangles_are_asked_about, lists_out_of_sight_change_nothing,
+        wrong_lists_are_refused,
+    },
     run::check,
     shapes::Kind,
     sizes,
@@ -36,6 +39,13 @@ fn lists_that_are_out_of_sight_change_nothing() {
 #[test]
 fn lists_of_all_kinds_change_nothing() {
     is_certain(20, &Kind::ALL);
+}
+
+#[test]
+fn lists_of_window_triangles_are_seen_where_they_have_samples() {
+    check(sizes::MESHLET_ERRORS, case(0..=6, &Kind::ALL), |case| {
+        lists_of_window_triangles_are_asked_about(&case)
+    });
 }
 
 #[test]

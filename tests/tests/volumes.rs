@@ -1,10 +1,11 @@
 //! What is said of boxes and of spheres before any camera.
 
 use halfplane_tests::{
+    Failure,
     properties::{
         boxes::{
             bounds_of_points_are_tight, boxes_bound_what_they_hold, points_of_boxes_are_in_their_bound,
-            rectangles_beside_samples_are_in_their_bound,
+            quotients_beyond_floats_are_anywhere, rectangles_beside_samples_are_in_their_bound,
         },
         spheres::{
             bounds_of_no_spheres_are_anything, bounds_of_spheres_are_tight,
@@ -58,6 +59,11 @@ fn points_of_a_box_are_in_its_bound() {
         Ok(())
     });
     bounded.assert_percent(33..100);
+}
+
+#[test]
+fn quotients_that_are_no_floats_are_anywhere() -> Result<(), Failure> {
+    quotients_beyond_floats_are_anywhere()
 }
 
 #[test]

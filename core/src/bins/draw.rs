@@ -101,9 +101,9 @@ where
             }
             continue;
         }
-        if let Some(area) = area {
-            bins.draw_with::<L, A>(token, area, order, attachments)?;
-        }
+        // There is an area, as something is in the bins.
+        let area = area.unwrap_or(bins.region());
+        bins.draw_with::<L, A>(token, area, order, attachments)?;
         drawn.statistics += bins.finish();
         drawn.rounds += 1;
     }

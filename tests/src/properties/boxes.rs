@@ -2,8 +2,8 @@
 
 use crate::{Failure, case::Case, ensure, failure::Verdict, shapes::Random};
 use halfplane::{
-    Bound, Compare, Coverage, Depth, DepthTest, ModelPositions, Region, Standard, State, Viewport, blocks,
-    draw,
+    Bound, Compare, Coverage, Depth, DepthTest, ModelPositions, Region, Sample, Standard, State, Viewport,
+    blocks, draw,
     numbers::{DEPTH32_MAX, DEPTH32_MIN},
     texels,
 };
@@ -182,6 +182,19 @@ pub fn rectangles_beside_samples_are_in_their_bound(samples: [u32; 4], beside: [
     for (x, y) in (0..64).flat_map(|y| (0..64).map(move |x| (x, y))) {
         let inside = area.is_some_and(|a| (a.x0()..a.x1()).contains(&x) && (a.y0()..a.y1()).contains(&y));
         ensure!(inside || coverage.get(x, y) != Some(true), "({x}, {y}) is covered, but not in {bound:?}");
+    }
+    Ok(())
+}
+
+/// Where quotients of a box's clip coordinates are beyond every float, it may cover anything.
+pub fn quotients_beyond_floats_are_anywhere() -> Verdict {
+    let viewport = Viewport::new(Region::<Standard>::of_size(64, 64)?);
+    for axis in 0..3 {
+        let mut matrix = [[0.; 4]; 4];
+        matrix[axis][axis] = 1e30;
+        matrix[3][3] = 1e-20;
+        let bound = viewport.bound_box(&matrix, [[1.0; 3], [2.0; 3]], Sample::CENTER);
+        ensure!(bound == Bound::Anything, "axis {axis}: {bound:?}");
     }
     Ok(())
 }

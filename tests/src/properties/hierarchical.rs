@@ -3,7 +3,7 @@
 use crate::{Failure, Frame, ensure, ensure_eq, failure::Verdict, shapes::Random, strategies::Shot};
 use halfplane::{
     Compare, Depth, DepthFormat, DepthRange, DepthTest, Format, HierarchicalDepth, Region, State,
-    StorageError, depth_ranges, draw, texels,
+    StorageError, Vertex, depth_ranges, draw, texels,
 };
 use halfplane_reference::DepthSpec;
 
@@ -266,6 +266,26 @@ fn bounds<F: Format>(corners: &[[i32; 2]; 3]) -> Option<Region<F>> {
     let least = |v: [i32; 3]| v[0].min(v[1]).min(v[2]);
     let most = |v: [i32; 3]| v[0].max(v[1]).max(v[2]);
     Region::new(pixel(least(xs)), pixel(least(ys)), end(most(xs)), end(most(ys))).ok()
+}
+
+/// After so many draws and questions, answers are still those of the pixels: a hole stays one until it is filled.
+pub fn versions_come_round(draws: u32) -> Verdict {
+    let region = Region::<halfplane::Standard>::of_size(16, 16)?;
+    let (mut storage, mut ranges) = ([7; 256], [DepthRange::UNKNOWN; 2]);
+    storage[255] = u32::MAX;
+    let mut depth =
+        HierarchicalDepth::<halfplane::Standard>::new(region, &mut storage, &mut ranges, DepthTest::LESS)?;
+    let triangle = |z| -> Result<[Vertex<halfplane::Standard>; 3], Failure> {
+        Ok([Vertex::new(0, 0, z)?, Vertex::new(32 << 8, 0, z)?, Vertex::new(0, 32 << 8, z)?])
+    };
+    let (far, near, state) = (triangle(u32::MAX)?, triangle(99)?, State::new(region));
+    for _ in 0..draws {
+        draw(&far[..], &[0u8, 1, 2], 0, &state, &mut depth)?;
+        ensure!(!depth.hides(region, 1 << 31), "there is a hole");
+    }
+    draw(&near[..], &[0u8, 1, 2], 0, &state, &mut depth)?;
+    ensure!(depth.hides(region, 1 << 31), "the hole was filled");
+    Ok(())
 }
 
 /// Memory that is too short is refused, and told how long it must be.

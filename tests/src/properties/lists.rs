@@ -4,7 +4,7 @@ use super::simd::{Storage, levels};
 use crate::{Failure, case::Case, ensure, ensure_eq, failure::Verdict, shapes::Random};
 use halfplane::{
     Compare, Count, D16, D32, DepthFormat, DepthRange, DepthTest, DrawError, HierarchicalDepth, Region,
-    Standard, depth_ranges, draw,
+    Standard, Vertex, depth_ranges, draw,
     simd::{Level, Occluder, Visibility, ask, ask_triangles},
 };
 
@@ -128,6 +128,32 @@ pub fn wrong_lists_are_refused(case: &Case) -> Verdict {
             Err(DrawError::IndexOutOfRange { at, index, vertices }),
             "an index too large"
         );
+    }
+    Ok(())
+}
+
+/// Window triangles are asked about as they are: those of a case, hidden behind something near, and not behind nothing.
+pub fn lists_of_window_triangles_are_asked_about(case: &Case) -> Verdict {
+    let (state, region) = (case.state()?, case.frame.core_region()?);
+    let corners = case.wanted.as_flattened();
+    let vertices = corners
+        .iter()
+        .map(|&[x, y]| Vertex::<Standard>::new(x, y, 1 << 31))
+        .collect::<Result<Vec<_>, _>>()?;
+    let indices: Vec<u32> = (0..vertices.len() as u32).collect();
+    let mut count = Count::default();
+    draw(&vertices[..], &indices, 0, &state, &mut count)?;
+    let (mut storage, mut ranges) = (Storage::new(region, 0), vec![DepthRange::UNKNOWN; ranges_of(region)]);
+    for level in levels() {
+        let mut depth =
+            HierarchicalDepth::<Standard>::new(region, &mut storage.depths, &mut ranges, DepthTest::LESS)?;
+        for clear in [0, u32::MAX] {
+            depth.clear(clear);
+            let said = ask_triangles(level, &vertices[..], &indices, &state, &mut depth)?;
+            let seen = clear > 0 && count.samples > 0;
+            ensure!(!seen || said == Visibility::Visible, "{} samples are {said:?}", count.samples);
+            ensure!(clear > 0 || said != Visibility::Visible, "visible behind the near plane");
+        }
     }
     Ok(())
 }

@@ -59,6 +59,10 @@ pub struct HierarchicalDepth<'a, F: Format, D: DepthFormat<F> = D32> {
     drawn: bool,
 }
 
+/// Versions begin so near to the last one that what comes after it, 1, is met: by tests, and not after a year in the
+/// field.
+const FIRST_VERSION: u32 = u32::MAX - (1 << 16);
+
 impl<'a, F: Format, D: DepthFormat<F>> HierarchicalDepth<'a, F, D> {
     /// Depths of `region` in a slice of at least [`texels`](super::texels)`(width, height)`, and their ranges in
     /// one of at least [`depth_ranges`]`(width, height)`. The contents of `texels` are kept, those of `ranges`
@@ -79,7 +83,7 @@ impl<'a, F: Format, D: DepthFormat<F>> HierarchicalDepth<'a, F, D> {
         ranges.fill(DepthRange::UNKNOWN);
         let (squares, ranges) = Squares::split(ranges, width.div_ceil(SQUARE), height.div_ceil(SQUARE));
         let (tiles, _) = Squares::split(ranges, width.div_ceil(TILE), height.div_ceil(TILE));
-        Ok(Self { depth, squares, tiles, version: 1, drawn: false })
+        Ok(Self { depth, squares, tiles, version: FIRST_VERSION, drawn: false })
     }
 
     /// Sets every depth.
