@@ -99,6 +99,7 @@ fn volumes(random: &mut Random) -> Verdict {
             _ => (random.between(-128, 48) as f32 / 16.0).exp2(),
         });
         boxes::points_of_boxes_are_in_their_bound(&case, low, extent, random.bits())?;
+        boxes::boxes_are_where_they_are_said_to_be(&case, low, extent, random.bits())?;
         let beside = [0; 4].map(|_: u32| random.between(-8, 8) as i32);
         boxes::rectangles_beside_samples_are_in_their_bound(random.words(), beside)?;
         let size = [0; 2].map(|_: u32| 1 + random.below(16384) as u32);

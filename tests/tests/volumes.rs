@@ -4,8 +4,9 @@ use halfplane_tests::{
     Failure,
     properties::{
         boxes::{
-            bounds_of_points_are_tight, boxes_bound_what_they_hold, points_of_boxes_are_in_their_bound,
-            quotients_beyond_floats_are_anywhere, rectangles_beside_samples_are_in_their_bound,
+            bounds_of_points_are_tight, boxes_are_where_they_are_said_to_be, boxes_bound_what_they_hold,
+            points_of_boxes_are_in_their_bound, quotients_beyond_floats_are_anywhere,
+            rectangles_beside_samples_are_in_their_bound,
         },
         spheres::{
             bounds_of_no_spheres_are_anything, bounds_of_spheres_are_tight,
@@ -64,6 +65,22 @@ fn points_of_a_box_are_in_its_bound() {
 #[test]
 fn quotients_that_are_no_floats_are_anywhere() -> Result<(), Failure> {
     quotients_beyond_floats_are_anywhere()
+}
+
+#[test]
+fn boxes_are_inside_or_outside_where_it_is_said() {
+    let said: [Said; 3] = Default::default();
+    let size = (-12.0..5.0f32).prop_map(f32::exp2);
+    let place = (array::uniform3(-6.0..6.0f32), array::uniform3(size), any::<u64>());
+    check(sizes::BOUND, (case(0..=1, &Kind::ALL), place), |(case, (low, size, seed))| {
+        let answers = boxes_are_where_they_are_said_to_be(&case, low, size, seed)?;
+        said.iter().zip(answers).for_each(|(said, answer)| said.count(answer));
+        Ok(())
+    });
+    // Outside, inside, beside the area.
+    said[0].assert_percent(10..95);
+    said[1].assert_percent(1..50);
+    said[2].assert_percent(20..99);
 }
 
 #[test]

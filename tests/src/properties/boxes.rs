@@ -1,9 +1,15 @@
 //! Boxes: what is said of them is never wrong, and not loose.
 
-use crate::{Failure, case::Case, ensure, failure::Verdict, shapes::Random};
+use crate::{
+    Failure,
+    case::Case,
+    ensure,
+    failure::Verdict,
+    shapes::{Model, Projection, Random},
+};
 use halfplane::{
-    Bound, Compare, Coverage, Depth, DepthTest, ModelPositions, Region, Sample, Standard, State, Viewport,
-    blocks, draw,
+    Bound, Compare, Count, Coverage, Depth, DepthTest, Frustum, ModelPositions, Region, Sample, Standard,
+    State, Viewport, blocks, draw,
     numbers::{DEPTH32_MAX, DEPTH32_MIN},
     texels,
 };
@@ -95,6 +101,23 @@ pub fn bounds_of_points_are_tight(point: [f32; 3], size: [u32; 2]) -> Verdict {
     Ok(())
 }
 
+/// A case with triangles in a box, many of their corners at the box's, in place of its own.
+fn filled(case: &Case, low: [f32; 3], high: [f32; 3], seed: u64) -> Case {
+    let mut random = Random(seed);
+    let vertices = (0..36).map(|_| {
+        [0, 1, 2].map(|axis| match random.below(4) {
+            0 => low[axis],
+            1 => high[axis],
+            _ => {
+                let part = random.below(1000) as f32 / 1000.0;
+                (low[axis] + (high[axis] - low[axis]) * part).clamp(low[axis], high[axis])
+            }
+        })
+    });
+    let vertices = vertices.collect();
+    Case { model: Model { vertices, ..case.model }, indices: (0..36).collect(), ..case.clone() }
+}
+
 /// Vertices of a box, at its corners and in it, and triangles of them, are in its bound, whatever the matrix. Boxes of
 /// one point show that rounding is allowed for. Whether the bound said anything of use.
 pub fn points_of_boxes_are_in_their_bound(
@@ -103,17 +126,8 @@ pub fn points_of_boxes_are_in_their_bound(
     size: [f32; 3],
     seed: u64,
 ) -> Result<bool, Failure> {
-    let mut random = Random(seed);
     let high = [0, 1, 2].map(|axis| low[axis] + size[axis]);
-    let vertices = (0..36).map(|_| {
-        [0, 1, 2].map(|axis| match random.below(4) {
-            0 => low[axis],
-            1 => high[axis],
-            _ => (low[axis] + size[axis] * random.below(1000) as f32 / 1000.0).clamp(low[axis], high[axis]),
-        })
-    });
-    let mut case = case.clone();
-    (case.model.vertices, case.indices) = (vertices.collect(), (0..36).collect());
+    let case = filled(case, low, high, seed);
     let bound = case.core_viewport()?.bound_box(&case.model.matrix, [low, high], case.state()?.sample);
     has_vertices(&case, bound)?;
     bounds_all(&case, bound, &case.indices)
@@ -151,6 +165,84 @@ fn has_vertex(
         ensure!(!beside, "a vertex at {at}, beside {first}..{end}");
     }
     Ok(())
+}
+
+/// No vertex of a box that is left out is inside the frustum, and each of one that is contained is; nor is anything of one
+/// that is left out for an area drawn there. With ordinary matrices, boxes that are so by more than rounding are said
+/// to be. What was said: left out, contained, beside the area.
+pub fn boxes_are_where_they_are_said_to_be(
+    case: &Case,
+    low: [f32; 3],
+    size: [f32; 3],
+    seed: u64,
+) -> Result<[bool; 3], Failure> {
+    let high = [0, 1, 2].map(|axis| low[axis] + size[axis]);
+    let case = filled(case, low, high, seed);
+    let (state, viewport, positions) = (case.state()?, case.core_viewport()?, case.positions()?);
+    let frustum = Frustum::new(&case.model.matrix);
+    let (excluded, contained) = (frustum.excludes_box([low, high]), frustum.contains_box([low, high]));
+    for clip in (0..36).filter_map(|at| positions.clip(at)) {
+        let [x, y, z, w] = clip;
+        let inside = x >= -w && x <= w && y >= -w && y <= w && z >= 0.0 && z <= w && w >= 0.0;
+        ensure!(!excluded || !inside, "{clip:?} is inside, and its box left out");
+        ensure!(!contained || inside, "{clip:?} is outside, and its box contained");
+    }
+    let beside = Frustum::of_area(&case.model.matrix, &viewport, state.scissor).excludes_box([low, high]);
+    if beside {
+        let mut count = Count::default();
+        draw(&positions, &case.indices, 0, &state, &mut count)?;
+        ensure!(count.samples == 0, "{} samples of a box that is left out for their area", count.samples);
+    }
+    if !matches!(case.projection, Projection::Bits | Projection::Scaled) {
+        let [out, inside, out_of_area] = exactly(&case, [low, high], &state.scissor);
+        ensure!(excluded || !out, "a box outside is not left out");
+        ensure!(contained || !inside, "a box inside is not contained");
+        ensure!(beside || !out_of_area, "a box beside the area is not left out for it");
+    }
+    Ok([excluded, contained, beside])
+}
+
+/// Whether a box is outside the frustum, inside, and beside an area in the viewport, by more than rounding.
+fn exactly(case: &Case, [low, high]: [[f32; 3]; 2], area: &Region<Standard>) -> [bool; 3] {
+    let [x0, y0, x1, y1] = case.viewport.map(f64::from);
+    let [half_width, half_height] = [(x1 - x0) / 2.0, (y1 - y0) / 2.0];
+    // The ends of the area, a pixel beyond them, from -1 to 1.
+    let across = |pixel: f64| ((pixel - x0) / half_width - 1.0).clamp(-1.0, 1.0);
+    let down = |pixel: f64| (1.0 - (pixel - y0) / half_height).clamp(-1.0, 1.0);
+    let (left, right) = (across(f64::from(area.x0()) - 1.0), across(f64::from(area.x1()) + 1.0));
+    let (top, bottom) = (down(f64::from(area.y0()) - 1.0), down(f64::from(area.y1()) + 1.0));
+    let planes = |[left, right, bottom, top]: [f64; 4]| {
+        let (x, y, z, w) = ([1., 0., 0., 0.], [0., 1., 0., 0.], [0., 0., 1., 0.], [0., 0., 0., 1.]);
+        let sum = |a: [f64; 4], p: f64, b: [f64; 4], q: f64| [0, 1, 2, 3].map(|k| p * a[k] + q * b[k]);
+        [
+            sum(x, 1.0, w, -left),
+            sum(x, -1.0, w, right),
+            sum(y, 1.0, w, -bottom),
+            sum(y, -1.0, w, top),
+            z,
+            sum(w, 1.0, z, -1.0),
+            w,
+        ]
+    };
+    // The least and the greatest value at corners, beyond the margin if they have the same sign.
+    let ends = |plane: [f64; 4]| {
+        let rows = case.model.matrix.map(|row| row.map(f64::from));
+        let coefficient = rows.map(|row| row.iter().zip(plane).map(|(m, p)| m * p).sum::<f64>());
+        let magnitude = rows.map(|row| row.iter().zip(plane).map(|(m, p)| (m * p).abs()).sum::<f64>());
+        let (mut least, mut most, mut margin) = (coefficient[3], coefficient[3], magnitude[3]);
+        for axis in 0..3 {
+            let ends = [low[axis], high[axis]].map(f64::from);
+            let values = ends.map(|v| v * coefficient[axis]);
+            least += values[0].min(values[1]);
+            most += values[0].max(values[1]);
+            margin += magnitude[axis] * ends[0].abs().max(ends[1].abs());
+        }
+        [least - 1e-5 * margin, most + 1e-5 * margin]
+    };
+    let whole = planes([-1.0, 1.0, -1.0, 1.0]).map(ends);
+    let part = planes([left, right, bottom, top]).map(ends);
+    let beside = |plane: &[f64; 2]| plane[1] < 0.0;
+    [whole.iter().any(beside), whole.iter().all(|plane| plane[0] > 0.0), part.iter().any(beside)]
 }
 
 /// A rectangle whose corners are less than a sub-pixel step beside samples covers nothing outside its bound: snapping
