@@ -101,10 +101,10 @@ fn volumes(random: &mut Random) -> Verdict {
         boxes::points_of_boxes_are_in_their_bound(&case, low, extent, random.bits())?;
         boxes::boxes_are_where_they_are_said_to_be(&case, low, extent, random.bits())?;
         let beside = [0; 4].map(|_: u32| random.between(-8, 8) as i32);
-        boxes::rectangles_beside_samples_are_in_their_bound(random.words(), beside)?;
+        boxes::rectangles_beside_samples_are_in_their_bound(random.words(), beside, random.words())?;
         let size = [0; 2].map(|_: u32| 1 + random.below(16384) as u32);
         let [x, y, z] = [0; 3].map(|_: u32| unit(random));
-        boxes::bounds_of_points_are_tight([x, y, z.abs()], size)?;
+        boxes::bounds_of_points_are_tight([1.5 * x, 1.5 * y, z.abs()], size)?;
         let z = 1.0 + 200.0 * z.abs();
         let part = 0.001 + 0.799 * unit(random).abs();
         spheres::bounds_of_spheres_are_tight([1.5 * x * z, 1.5 * y * z, z], z * part)?;

@@ -89,10 +89,19 @@ pub fn bounds_of_points_are_tight(point: [f32; 3], size: [u32; 2]) -> Verdict {
     let viewport = Viewport::new(region);
     let [x, y, z] = point;
     let vertex = viewport.project([x, y, z, 1.0]).ok_or_else(|| Failure::new("no vertex"))?;
+    let beside = |v: i32, size: u32| v < -257 || v > 256 * size as i32 + 257;
+    if beside(vertex.x(), size[0]) || beside(vertex.y(), size[1]) {
+        let bound = viewport.bound_box(&identity, [point; 2], state.sample);
+        ensure!(bound == Bound::Nothing, "{bound:?} for {point:?}, beside {size:?}");
+        return Ok(());
+    }
     match viewport.bound_box(&identity, [point; 2], state.sample) {
         Bound::Within { area, depths: [least, most] } => {
             ensure!(area.width() <= 1 && area.height() <= 1, "{area:?} for {point:?} at {vertex:?}");
-            ensure!(least <= vertex.z() + 2 && vertex.z() <= most + 2, "{vertex:?} outside {least}..={most}");
+            ensure!(
+                least <= vertex.z() + 2 && vertex.z() <= most.saturating_add(2),
+                "{vertex:?} outside {least}..={most}"
+            );
             ensure!(most - least < 1 << 18, "depths {least}..={most} for {vertex:?}");
         }
         Bound::Nothing => (),
@@ -101,9 +110,21 @@ pub fn bounds_of_points_are_tight(point: [f32; 3], size: [u32; 2]) -> Verdict {
     Ok(())
 }
 
-/// A case with triangles in a box, many of their corners at the box's, in place of its own.
-fn filled(case: &Case, low: [f32; 3], high: [f32; 3], seed: u64) -> Case {
+/// A case with triangles in a box, many of their corners at the box's, in place of its own, and the box. Often all
+/// of it is far from the origin, so that sums cancel, and the matrix is multiplied by a power of two, which changes no
+/// quotient.
+fn filled(case: &Case, low: [f32; 3], size: [f32; 3], seed: u64) -> (Case, [[f32; 3]; 2]) {
     let mut random = Random(seed);
+    let away = (random.between(-40, 160) as f32 / 16.0).exp2();
+    let moved = [0; 3].map(|_: u32| [0.0, 0.0, away, -away][random.below(4)]);
+    let scale = (random.between(-12, 12) as f32).exp2();
+    let [x, y, z, mut last] = case.model.matrix;
+    for (column, to) in last.iter_mut().enumerate() {
+        *to -= moved[0] * x[column] + moved[1] * y[column] + moved[2] * z[column];
+    }
+    let matrix = [x, y, z, last].map(|row| row.map(|v| v * scale));
+    let low = [0, 1, 2].map(|axis| low[axis] + moved[axis]);
+    let high = [0, 1, 2].map(|axis| low[axis] + size[axis]);
     let vertices = (0..36).map(|_| {
         [0, 1, 2].map(|axis| match random.below(4) {
             0 => low[axis],
@@ -114,8 +135,8 @@ fn filled(case: &Case, low: [f32; 3], high: [f32; 3], seed: u64) -> Case {
             }
         })
     });
-    let vertices = vertices.collect();
-    Case { model: Model { vertices, ..case.model }, indices: (0..36).collect(), ..case.clone() }
+    let model = Model { vertices: vertices.collect(), matrix };
+    (Case { model, indices: (0..36).collect(), ..case.clone() }, [low, high])
 }
 
 /// Vertices of a box, at its corners and in it, and triangles of them, are in its bound, whatever the matrix. Boxes of
@@ -126,9 +147,8 @@ pub fn points_of_boxes_are_in_their_bound(
     size: [f32; 3],
     seed: u64,
 ) -> Result<bool, Failure> {
-    let high = [0, 1, 2].map(|axis| low[axis] + size[axis]);
-    let case = filled(case, low, high, seed);
-    let bound = case.core_viewport()?.bound_box(&case.model.matrix, [low, high], case.state()?.sample);
+    let (case, corners) = filled(case, low, size, seed);
+    let bound = case.core_viewport()?.bound_box(&case.model.matrix, corners, case.state()?.sample);
     has_vertices(&case, bound)?;
     bounds_all(&case, bound, &case.indices)
 }
@@ -180,25 +200,24 @@ pub fn boxes_are_where_they_are_said_to_be(
         Some(vertex) if !seed.is_multiple_of(4) && vertex.iter().all(|v| v.is_finite()) => *vertex,
         _ => low,
     };
-    let high = [0, 1, 2].map(|axis| low[axis] + size[axis]);
-    let case = filled(case, low, high, seed);
+    let (case, corners) = filled(case, low, size, seed);
     let (state, viewport, positions) = (case.state()?, case.core_viewport()?, case.positions()?);
     let frustum = Frustum::new(&case.model.matrix);
-    let (excluded, contained) = (frustum.excludes_box([low, high]), frustum.contains_box([low, high]));
+    let (excluded, contained) = (frustum.excludes_box(corners), frustum.contains_box(corners));
     for clip in (0..36).filter_map(|at| positions.clip(at)) {
         let [x, y, z, w] = clip;
         let inside = x >= -w && x <= w && y >= -w && y <= w && z >= 0.0 && z <= w && w >= 0.0;
         ensure!(!excluded || !inside, "{clip:?} is inside, and its box left out");
         ensure!(!contained || inside, "{clip:?} is outside, and its box contained");
     }
-    let beside = Frustum::of_area(&case.model.matrix, &viewport, state.scissor).excludes_box([low, high]);
+    let beside = Frustum::of_area(&case.model.matrix, &viewport, state.scissor).excludes_box(corners);
     if beside {
         let mut count = Count::default();
         draw(&positions, &case.indices, 0, &state, &mut count)?;
         ensure!(count.samples == 0, "{} samples of a box that is left out for their area", count.samples);
     }
     if !matches!(case.projection, Projection::Bits | Projection::Scaled) {
-        let [out, inside, out_of_area] = exactly(&case, [low, high], &state.scissor);
+        let [out, inside, out_of_area] = exactly(&case, corners, &state.scissor);
         ensure!(excluded || !out, "a box outside is not left out");
         ensure!(contained || !inside, "a box inside is not contained");
         ensure!(beside || !out_of_area, "a box beside the area is not left out for it");
@@ -250,13 +269,22 @@ fn exactly(case: &Case, [low, high]: [[f32; 3]; 2], area: &Region<Standard>) -> 
 }
 
 /// A rectangle whose corners are less than a sub-pixel step beside samples covers nothing outside its bound: snapping
-/// moves it by up to half a step. Distances from the samples are in 1/8 steps.
-pub fn rectangles_beside_samples_are_in_their_bound(samples: [u32; 4], beside: [i32; 4]) -> Verdict {
+/// moves it by up to half a step. Distances from the samples are in 1/8 steps. It is not left out for the pixels that
+/// it covers, and is for those that are two away.
+pub fn rectangles_beside_samples_are_in_their_bound(
+    samples: [u32; 4],
+    beside: [i32; 4],
+    sample: [u32; 2],
+) -> Verdict {
     let region = Region::<Standard>::of_size(64, 64)?;
-    let (state, viewport) = (State::new(region), Viewport::new(region));
+    let [sample_x, sample_y] = sample.map(|v| (v % 256) as i32);
+    let sample = Sample::new(sample_x, sample_y).ok_or_else(|| Failure::new("no sample"))?;
+    let state = State { sample, ..State::new(region) };
+    let viewport = Viewport::new(region);
     let [left, top, right, bottom] = [0, 1, 2, 3].map(|at| {
         // 1/8 steps of 1/256 pixels: 2048 to a pixel.
-        let place = (2048 * (samples[at] % 64) + 1024) as i32 + beside[at];
+        let offset = if at % 2 == 0 { sample_x } else { sample_y };
+        let place = 2048 * (samples[at] % 64) as i32 + 8 * offset + beside[at];
         place as f32 / (32.0 * 2048.0) - 1.0
     });
     let (low, high) = ([left.min(right), -top.max(bottom), 0.5], [left.max(right), -top.min(bottom), 0.5]);
@@ -277,7 +305,17 @@ pub fn rectangles_beside_samples_are_in_their_bound(samples: [u32; 4], beside: [
     };
     for (x, y) in (0..64).flat_map(|y| (0..64).map(move |x| (x, y))) {
         let inside = area.is_some_and(|a| (a.x0()..a.x1()).contains(&x) && (a.y0()..a.y1()).contains(&y));
-        ensure!(inside || coverage.get(x, y) != Some(true), "({x}, {y}) is covered, but not in {bound:?}");
+        let covered = coverage.get(x, y) == Some(true);
+        ensure!(inside || !covered, "({x}, {y}) is covered, but not in {bound:?}");
+        let pixel = Region::new(x, y, x + 1, y + 1)?;
+        let left_out = Frustum::of_area(&matrix, &viewport, pixel).excludes_box([low, high]);
+        ensure!(!covered || !left_out, "({x}, {y}) is covered, and the rectangle left out for it");
+        let away = |from: f32, to: f32, pixel: u32| {
+            let [from, to] = [from, to].map(|v| 32.0 * (v + 1.0));
+            to < pixel as f32 - 1.0 || from > pixel as f32 + 2.0
+        };
+        let away = away(low[0], high[0], x) || away(-high[1], -low[1], y);
+        ensure!(left_out || !away, "the rectangle is not left out for ({x}, {y})");
     }
     Ok(())
 }
