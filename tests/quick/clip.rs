@@ -8,7 +8,7 @@ use halfplane_tests::{
     Failure, Frame,
     case::Case,
     failure::Verdict,
-    properties::{boxes, clipping, draws, neighbours, spheres, statistics, transform},
+    properties::{boxes, clipping, draws, neighbours, points, spheres, statistics, transform},
     shapes::{Ground, Kind, Random, clip_bits, clip_triangle},
 };
 
@@ -93,6 +93,7 @@ fn volumes(random: &mut Random) -> Verdict {
             random.bits(),
         )?;
         spheres::spheres_left_out_are_outside(&case, center, radius, random.bits())?;
+        points::points_are_in_their_bounds(random.bits())?;
         let low = [0; 3].map(|_: u32| 4.0 * unit(random));
         let extent = [0; 3].map(|_: u32| match random.below(3) {
             0 => 0.0,

@@ -8,6 +8,7 @@ use halfplane_tests::{
             points_of_boxes_are_in_their_bound, quotients_beyond_floats_are_anywhere,
             rectangles_beside_samples_are_in_their_bound,
         },
+        points::points_are_in_their_bounds,
         spheres::{
             bounds_of_no_spheres_are_anything, bounds_of_spheres_are_tight,
             points_before_tiny_matrices_are_in_their_bound, points_of_spheres_are_in_their_bound,
@@ -81,6 +82,11 @@ fn boxes_are_inside_or_outside_where_it_is_said() {
     said[0].assert_percent(10..95);
     said[1].assert_percent(1..50);
     said[2].assert_percent(20..99);
+}
+
+#[test]
+fn points_whose_sums_cancel_are_in_their_bounds() {
+    check(sizes::BOUND, any::<u64>(), points_are_in_their_bounds);
 }
 
 #[test]

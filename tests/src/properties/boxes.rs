@@ -110,15 +110,25 @@ pub fn bounds_of_points_are_tight(point: [f32; 3], size: [u32; 2]) -> Verdict {
     Ok(())
 }
 
-/// A case with triangles in a box, many of their corners at the box's, in place of its own, and the box. Often all
-/// of it is far from the origin, so that sums cancel, and the matrix is multiplied by a power of two, which changes no
-/// quotient.
+/// A case with triangles in a box, many of their corners at the box's, in place of its own, and the box. Most boxes
+/// begin at one of the case's vertices. Often all of it is sheared and far from the origin, so that sums of several terms cancel, and the matrix is multiplied by a
+/// power of two, which changes no quotient.
 fn filled(case: &Case, low: [f32; 3], size: [f32; 3], seed: u64) -> (Case, [[f32; 3]; 2]) {
     let mut random = Random(seed);
     let away = (random.between(-40, 160) as f32 / 16.0).exp2();
     let moved = [0; 3].map(|_: u32| [0.0, 0.0, away, -away][random.below(4)]);
     let scale = (random.between(-12, 12) as f32).exp2();
-    let [x, y, z, mut last] = case.model.matrix;
+    let [mut x, mut y, z, mut last] = case.model.matrix;
+    let [shear_x, shear_y] = [0; 2].map(|_: u32| [0.0, 0.0, 0.75, -1.5][random.below(4)]);
+    for column in 0..4 {
+        x[column] += shear_x * z[column];
+        y[column] += shear_y * z[column];
+    }
+    let low = match case.model.vertices.first() {
+        Some(vertex) if !seed.is_multiple_of(4) && vertex.iter().all(|v| v.is_finite()) => *vertex,
+        _ => low,
+    };
+    let low = [low[0], low[1], low[2] - shear_x * low[0] - shear_y * low[1]];
     for (column, to) in last.iter_mut().enumerate() {
         *to -= moved[0] * x[column] + moved[1] * y[column] + moved[2] * z[column];
     }
@@ -165,7 +175,7 @@ pub(super) fn has_vertices(case: &Case, bound: Bound<Standard>) -> Verdict {
 }
 
 /// A vertex in view is at one of the depths, and in one of the pixels or less than a pixel from their samples.
-fn has_vertex(
+pub(super) fn has_vertex(
     viewport: &Viewport<Standard>,
     area: Region<Standard>,
     [nearest, farthest]: [u32; 2],
@@ -189,17 +199,13 @@ fn has_vertex(
 
 /// No vertex of a box that is left out is inside the frustum, and each of one that is contained is; nor is anything of one
 /// that is left out for an area drawn there. With ordinary matrices, boxes that are so by more than rounding are said
-/// to be. Most boxes begin at one of the case's vertices. What was said: left out, contained, beside the area.
+/// to be. What was said: left out, contained, beside the area.
 pub fn boxes_are_where_they_are_said_to_be(
     case: &Case,
     low: [f32; 3],
     size: [f32; 3],
     seed: u64,
 ) -> Result<[bool; 3], Failure> {
-    let low = match case.model.vertices.first() {
-        Some(vertex) if !seed.is_multiple_of(4) && vertex.iter().all(|v| v.is_finite()) => *vertex,
-        _ => low,
-    };
     let (case, corners) = filled(case, low, size, seed);
     let (state, viewport, positions) = (case.state()?, case.core_viewport()?, case.positions()?);
     let frustum = Frustum::new(&case.model.matrix);

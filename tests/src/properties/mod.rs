@@ -31,6 +31,7 @@ pub mod meshlets;
 pub mod neighbours;
 pub mod numbers;
 pub mod outline;
+pub mod points;
 pub mod scene;
 pub mod setup;
 pub mod shared_edge;

@@ -1,0 +1,67 @@
+//! Boxes and spheres of one point: what rounding does to the vertex there, their bounds allow for.
+
+use super::boxes::has_vertex;
+use crate::{ensure, failure::Verdict, shapes::Random};
+use halfplane::{Bound, Frustum, ModelPositions, Region, Sample, Standard, Viewport};
+
+/// A point, and a matrix that takes it near a given place in view, by sums of terms that may be much larger than what
+/// they come to.
+struct Point {
+    place: [f32; 3],
+    matrix: [[f32; 4]; 4],
+}
+
+impl Point {
+    /// Terms of up to 2^12 times what they come to; w is a power of two from 2^-20 to 2^20.
+    fn new(random: &mut Random) -> Self {
+        let power = |random: &mut Random, from: i64, to: i64| (random.between(from, to) as f64).exp2();
+        let unit = |random: &mut Random| random.between(-1 << 30, 1 << 30) as f64 / f64::from(1 << 30);
+        let place = [0; 3].map(|_: u32| (unit(random) * power(random, 0, 6)) as f32);
+        let w = power(random, -20, 20);
+        let depth = (unit(random).abs() * power(random, -12, 0)).min(1.0);
+        let wanted = [unit(random), unit(random), depth, 1.0].map(|v| v * w);
+        let mut matrix = [[0.0; 4]; 4];
+        for column in 0..4 {
+            // Some columns are sums of small terms, or of none.
+            let size = w * [0.0, 1e-3, 1.0, 64.0][random.below(4)];
+            let mut sum = 0.0;
+            for (axis, row) in matrix.iter_mut().take(3).enumerate() {
+                row[column] = (unit(random) * size) as f32;
+                sum += f64::from(row[column]) * f64::from(place[axis]);
+            }
+            matrix[3][column] = (wanted[column] - sum) as f32;
+        }
+        Self { place, matrix }
+    }
+}
+
+/// The vertex is where the bounds of the box and of the sphere say that it may be, and not where a frustum says that
+/// they are not.
+pub fn points_are_in_their_bounds(seed: u64) -> Verdict {
+    let mut random = Random(seed);
+    let region = Region::<Standard>::of_size(1280, 720)?;
+    let viewport = Viewport::new(region);
+    for _ in 0..20 {
+        let Point { place, matrix } = Point::new(&mut random);
+        let vertices = [place];
+        let Some(clip) = ModelPositions::new(&vertices, matrix, viewport).clip(0) else { continue };
+        let boxed = viewport.bound_box(&matrix, [place; 2], Sample::CENTER);
+        let round = viewport.bound_sphere(&matrix, place, 0.0, Sample::CENTER);
+        for bound in [boxed, round] {
+            if let Bound::Within { area, depths } = bound {
+                has_vertex(&viewport, area, depths, clip)?;
+            }
+        }
+        let [x, y, z, w] = clip;
+        let inside = x >= -w && x <= w && y >= -w && y <= w && z >= 0.0 && z <= w && w >= 0.0;
+        let frustum = Frustum::new(&matrix);
+        let (out, contained) = (frustum.excludes_box([place; 2]), frustum.contains_box([place; 2]));
+        ensure!(!inside || !out, "{clip:?} is inside, and its box left out");
+        ensure!(inside || !contained, "{clip:?} is outside, and its box contained");
+        ensure!(
+            !inside || !frustum.excludes_sphere(place, 0.0),
+            "{clip:?} is inside, and its sphere left out"
+        );
+    }
+    Ok(())
+}
