@@ -64,7 +64,7 @@ impl Frustum {
         };
         let size = |row: [f32; 4]| {
             let [x, y, z, w] = row.map(f32::abs);
-            let side = |end: f32, v: f32| if end.abs() > 1.0 { end.abs() * w + v } else { w + v };
+            let side = |end: f32, v: f32| end.abs().max(1.0) * w + v;
             [side(left, x), side(right, x), side(bottom, y), side(top, y), z, w + z, w, 0.0]
         };
         Self { rows: matrix.map(row), sizes: matrix.map(size) }
