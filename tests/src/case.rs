@@ -118,7 +118,7 @@ impl Case {
     /// A level grid of so many squares to a side, of which a quarter is in view: the middle, nothing before anything.
     pub fn grid(side: u16) -> Self {
         let frame = Frame::whole::<Standard>(100, 100);
-        let at = |v: u16| 4.0 * f32::from(v) / f32::from(side) - 2.0;
+        let at = |v: u16| 4.1 * f32::from(v) / f32::from(side) - 2.05;
         let vertices = (0..=side).flat_map(|y| (0..=side).map(move |x| [at(x), at(y), 0.5])).collect();
         let pitch = u32::from(side) + 1;
         let squares = (0..side).flat_map(|y| (0..side).map(move |x| u32::from(y) * pitch + u32::from(x)));
