@@ -1,6 +1,9 @@
 //! Boxes and spheres of one point: what rounding does to the vertex there, their bounds allow for.
 
-use super::boxes::has_vertex;
+use super::{
+    boxes::has_vertex,
+    spheres::{distance, float_above},
+};
 use crate::{ensure, failure::Verdict, shapes::Random};
 use halfplane::{Bound, Frustum, ModelPositions, Region, Sample, Standard, Viewport};
 
@@ -9,6 +12,8 @@ use halfplane::{Bound, Frustum, ModelPositions, Region, Sample, Standard, Viewpo
 struct Point {
     place: [f32; 3],
     matrix: [[f32; 4]; 4],
+    /// The plane of the frustum that it is on, or nearly: of -x, x, -y, y, -z and z.
+    plane: usize,
 }
 
 impl Point {
@@ -19,7 +24,12 @@ impl Point {
         let place = [0; 3].map(|_: u32| (unit(random) * power(random, 0, 6)) as f32);
         let w = power(random, -20, 20);
         let depth = (unit(random).abs() * power(random, -12, 0)).min(1.0);
-        let wanted = [unit(random), unit(random), depth, 1.0].map(|v| v * w);
+        let mut wanted = [unit(random), unit(random), depth, 1.0];
+        let plane = random.below(6);
+        if random.below(2) == 0 {
+            wanted[plane / 2] = [-1.0, 1.0, -1.0, 1.0, 0.0, 1.0][plane];
+        }
+        let wanted = wanted.map(|v| v * w);
         let mut matrix = [[0.0; 4]; 4];
         for column in 0..4 {
             // Some columns are sums of small terms, or of none.
@@ -31,7 +41,20 @@ impl Point {
             }
             matrix[3][column] = (wanted[column] - sum) as f32;
         }
-        Self { place, matrix }
+        Self { place, matrix, plane }
+    }
+
+    /// The sphere of about that radius outside the plane that touches it at the point.
+    fn sphere(&self, radius: f64) -> ([f32; 3], f32) {
+        let sign = [1.0, -1.0][self.plane % 2];
+        let [x, y, z, _] = self.matrix;
+        let normal = [x, y, z].map(|row| {
+            let w = if self.plane == 4 { 0.0 } else { f64::from(row[3]) };
+            w + sign * f64::from(row[self.plane / 2])
+        });
+        let length = normal.iter().map(|v| v * v).sum::<f64>().sqrt().max(1e-30);
+        let center = [0, 1, 2].map(|k| (f64::from(self.place[k]) - normal[k] / length * radius) as f32);
+        (center, float_above(distance(center, self.place)))
     }
 }
 
@@ -42,7 +65,8 @@ pub fn points_are_in_their_bounds(seed: u64) -> Verdict {
     let region = Region::<Standard>::of_size(1280, 720)?;
     let viewport = Viewport::new(region);
     for _ in 0..20 {
-        let Point { place, matrix } = Point::new(&mut random);
+        let point = Point::new(&mut random);
+        let (place, matrix) = (point.place, point.matrix);
         let vertices = [place];
         let Some(clip) = ModelPositions::new(&vertices, matrix, viewport).clip(0) else { continue };
         let boxed = viewport.bound_box(&matrix, [place; 2], Sample::CENTER);
@@ -58,10 +82,11 @@ pub fn points_are_in_their_bounds(seed: u64) -> Verdict {
         let (out, contained) = (frustum.excludes_box([place; 2]), frustum.contains_box([place; 2]));
         ensure!(!inside || !out, "{clip:?} is inside, and its box left out");
         ensure!(inside || !contained, "{clip:?} is outside, and its box contained");
-        ensure!(
-            !inside || !frustum.excludes_sphere(place, 0.0),
-            "{clip:?} is inside, and its sphere left out"
-        );
+        for radius in [0.0, 1.0 / 64.0, 1.0, 64.0] {
+            let (center, radius) = point.sphere(radius);
+            let out = frustum.excludes_sphere(center, radius);
+            ensure!(!inside || !out, "{clip:?} is inside, and a sphere of {radius} that it is in left out");
+        }
     }
     Ok(())
 }

@@ -11,13 +11,13 @@ use crate::{
 use halfplane::{Bound, Frustum, ModelPositions, Region, Sample, Standard, Viewport};
 
 /// The distance of two points; more than enough for them to be this far apart.
-fn distance(a: [f32; 3], b: [f32; 3]) -> f64 {
+pub(super) fn distance(a: [f32; 3], b: [f32; 3]) -> f64 {
     let square = |axis: usize| (f64::from(a[axis]) - f64::from(b[axis])).powi(2);
     (square(0) + square(1) + square(2)).sqrt() * (1.0 + 1e-14)
 }
 
 /// A float that is not less.
-fn float_above(value: f64) -> f32 {
+pub(super) fn float_above(value: f64) -> f32 {
     let float = value as f32;
     if f64::from(float) < value { float.next_up() } else { float }
 }
