@@ -75,7 +75,7 @@ fn of_queries(random: &mut Random) -> Verdict {
         cones::meshes_are_their_triangles(&case)?;
     }
     batches::clusters_are_small(1000, random.bits())?;
-    batches::batches_are_the_mesh(&Case::grid(160))?;
+    batches::batches_are_the_mesh(&Case::grid(260))?;
     for _ in 0..300 {
         let power = |random: &mut Random, from: i64, to: i64| random.between(from, to) as i32;
         let patch = Patch {

@@ -60,11 +60,12 @@ fn frames_of_batches_are_those_of_the_mesh() {
 /// Meshlets beside the picture, and more in it than are worth asking about.
 #[test]
 fn frames_of_a_grid_are_those_of_the_mesh() -> Result<(), Failure> {
-    let (statistics, occlusion) = batches_are_the_mesh(&Case::grid(160))?;
+    let (statistics, occlusion) = batches_are_the_mesh(&Case::grid(260))?;
     println!("{statistics}, {occlusion:?}");
-    assert!(statistics.drawn > 8_000 && statistics.culled.outside > 30_000, "{statistics}");
+    let in_view = statistics.drawn + statistics.culled.no_sample;
+    assert!(in_view > 30_000 && statistics.culled.outside > 90_000, "{statistics}");
     // Nothing hides anything: questions stop.
-    assert!(occlusion.hidden_meshlets < 5 && occlusion.meshlets < statistics.drawn / 64, "{occlusion:?}");
+    assert!(occlusion.hidden_meshlets < 5 && occlusion.meshlets < in_view / 150, "{occlusion:?}");
     Ok(())
 }
 

@@ -21,7 +21,7 @@ impl Point {
     fn new(random: &mut Random) -> Self {
         let power = |random: &mut Random, from: i64, to: i64| (random.between(from, to) as f64).exp2();
         let unit = |random: &mut Random| random.between(-1 << 30, 1 << 30) as f64 / f64::from(1 << 30);
-        let place = [0; 3].map(|_: u32| (unit(random) * power(random, 0, 6)) as f32);
+        let place = [0; 3].map(|_: u32| (unit(random) * power(random, 0, 10)) as f32);
         let w = power(random, -20, 20);
         let depth = (unit(random).abs() * power(random, -12, 0)).min(1.0);
         let mut wanted = [unit(random), unit(random), depth, 1.0];
