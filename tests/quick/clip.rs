@@ -108,7 +108,8 @@ fn volumes(random: &mut Random) -> Verdict {
         boxes::bounds_of_points_are_tight([1.5 * x, 1.5 * y, z.abs()], size)?;
         let z = 1.0 + 200.0 * z.abs();
         let part = 0.001 + 0.799 * unit(random).abs();
-        spheres::bounds_of_spheres_are_tight([1.5 * x * z, 1.5 * y * z, z], z * part)?;
+        let turns = [0; 2].map(|_: u32| 4.0 * unit(random));
+        spheres::bounds_of_spheres_are_tight([1.5 * x * z, 1.5 * y * z, z], z * part, turns)?;
         spheres::points_before_tiny_matrices_are_in_their_bound((-round as f32 / 20.0).exp2())?;
     }
     boxes::quotients_beyond_floats_are_anywhere()?;

@@ -130,9 +130,10 @@ fn points_of_a_sphere_are_in_its_bound() {
 #[test]
 fn bounds_of_spheres_before_a_camera_are_tight() {
     let sum = Cell::new([0, 0]);
-    let strategy = (array::uniform2(-1.5..1.5f32), 1.0..200.0f32, 0.001..0.8f32);
-    check(sizes::BOUND, strategy, |([x, y], z, part)| {
-        let [sphere, cube] = bounds_of_spheres_are_tight([x * z, y * z, z], z * part)?;
+    let turns = array::uniform2(-4.0..4.0f32);
+    let strategy = (array::uniform2(-1.5..1.5f32), 1.0..200.0f32, 0.001..0.8f32, turns);
+    check(sizes::BOUND, strategy, |([x, y], z, part, turns)| {
+        let [sphere, cube] = bounds_of_spheres_are_tight([x * z, y * z, z], z * part, turns)?;
         sum.set([sum.get()[0] + sphere, sum.get()[1] + cube]);
         Ok(())
     });

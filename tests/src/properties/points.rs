@@ -2,7 +2,7 @@
 
 use super::{
     boxes::has_vertex,
-    spheres::{distance, float_above},
+    spheres::{direction, distance, float_above},
 };
 use crate::{ensure, failure::Verdict, shapes::Random};
 use halfplane::{Bound, Frustum, ModelPositions, Region, Sample, Standard, Viewport};
@@ -84,6 +84,22 @@ pub fn points_are_in_their_bounds(seed: u64) -> Verdict {
         ensure!(inside || !contained, "{clip:?} is outside, and its box contained");
         for radius in [0.0, 1.0 / 64.0, 1.0, 64.0] {
             let (center, radius) = point.sphere(radius);
+            let mut on_it = vec![place];
+            for _ in 0..8 {
+                let direction = direction(&mut random);
+                let near = [0, 1, 2].map(|axis| center[axis] + direction[axis] * radius);
+                if distance(center, near) <= f64::from(radius) {
+                    on_it.push(near);
+                }
+            }
+            if let Bound::Within { area, depths } =
+                viewport.bound_sphere(&matrix, center, radius, Sample::CENTER)
+            {
+                let positions = ModelPositions::new(&on_it, matrix, viewport);
+                for clip in (0..on_it.len()).filter_map(|at| positions.clip(at)) {
+                    has_vertex(&viewport, area, depths, clip)?;
+                }
+            }
             let out = frustum.excludes_sphere(center, radius);
             ensure!(!inside || !out, "{clip:?} is inside, and a sphere of {radius} that it is in left out");
         }

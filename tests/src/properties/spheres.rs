@@ -86,21 +86,45 @@ pub fn points_of_spheres_are_in_their_bound(
 }
 
 /// A unit vector, or a hundred thousandth longer or shorter.
-fn direction(random: &mut Random) -> [f32; 3] {
+pub(super) fn direction(random: &mut Random) -> [f32; 3] {
     let direction = [0; 3].map(|_| random.below(2001) as f32 / 1000.0 - 1.0);
     let length = direction.iter().map(|v| v * v).sum::<f32>().sqrt().max(1e-3);
     direction.map(|v| v / length)
 }
 
-/// Before a camera, a sphere is bound by little more than what its points cover, and never by more than the box round
-/// it. How many pixels the bounds of the sphere and of the box have.
-pub fn bounds_of_spheres_are_tight(center: [f32; 3], radius: f32) -> Result<[u64; 2], Failure> {
+/// A point and a matrix in an object space that is turned by two angles, about x and then about z.
+fn turn([x, y, z]: [f32; 3], matrix: [[f32; 4]; 4], turns: [f32; 2]) -> ([f32; 3], [[f32; 4]; 4]) {
+    let [(s, c), (t, d)] = turns.map(|angle| f64::from(angle).sin_cos());
+    let turned = |[x, y, z]: [f64; 3]| {
+        let [y, z] = [c * y - s * z, s * y + c * z];
+        [d * x - t * y, t * x + d * y, z]
+    };
+    let [mx, my, mz, last] = matrix;
+    let mut rows = [[0.0; 4]; 3];
+    for column in 0..4 {
+        let found = turned([mx[column], my[column], mz[column]].map(f64::from));
+        for (row, value) in rows.iter_mut().zip(found) {
+            row[column] = value as f32;
+        }
+    }
+    let [a, b, c] = rows;
+    (turned([x, y, z].map(f64::from)).map(|v| v as f32), [a, b, c, last])
+}
+
+/// Before a camera, however object space is turned, a sphere is bound by little more than what its points cover, and
+/// never by more than the box round it. How many pixels the bounds of the sphere and of the box have.
+pub fn bounds_of_spheres_are_tight(
+    center: [f32; 3],
+    radius: f32,
+    turns: [f32; 2],
+) -> Result<[u64; 2], Failure> {
     let region = Region::<Standard>::of_size(1280, 720)?;
     let viewport = Viewport::new(region);
     // w is z; depth 1/4 at 1 and nearly 1 far away.
     let matrix = [[1.0, 0., 0., 0.], [0., 1.7, 0., 0.], [0., 0., 1.0, 1.0], [0., 0., -0.75, 0.]];
-    let bound = viewport.bound_sphere(&matrix, center, radius, Sample::CENTER);
-    let ends = [-1.0, 1.0].map(|sign| center.map(|v| v + sign * radius));
+    let (turned, matrix) = turn(center, matrix, turns);
+    let bound = viewport.bound_sphere(&matrix, turned, radius, Sample::CENTER);
+    let ends = [-1.0, 1.0].map(|sign| turned.map(|v| v + sign * radius));
     let bound_of_box = viewport.bound_box(&matrix, ends, Sample::CENTER);
     let ([cx, cy, cz], r) = (center.map(f64::from), f64::from(radius));
     // The plane through the eye and an axis touches the circle in which the sphere cuts the other plane.
@@ -124,8 +148,10 @@ pub fn bounds_of_spheres_are_tight(center: [f32; 3], radius: f32) -> Result<[u64
             }
             for (found, depth) in found.into_iter().zip(depths) {
                 let off = (found - depth.clamp(0.0, 1.0)).abs();
-                // The margin of rounding grows with terms over the smallest w.
-                let allowed = 1.2e-5 * (1.0 + (cz + r) / (cz - r));
+                // The margin of rounding grows with terms over the smallest w: turned, at most the centre's distance and
+                // the square root of 3 times the radius.
+                let away = (cx * cx + cy * cy + cz * cz).sqrt();
+                let allowed = 1.2e-5 * (1.0 + (away + 1.74 * r) / (cz - r));
                 ensure!(off.total_cmp(&allowed).is_lt(), "depths {found:?}, not {depths:?}");
             }
         }
