@@ -23,6 +23,8 @@ use halfplane_tests::{
 mod attachments;
 #[path = "../tests/bounds.rs"]
 mod bounds;
+#[path = "../tests/instances.rs"]
+mod instances;
 #[path = "../tests/messages.rs"]
 mod messages;
 

@@ -18,6 +18,7 @@ mod enumeration;
 mod errors;
 mod goldens;
 mod hierarchical;
+mod instances;
 mod issues;
 mod lanes;
 mod layers;
