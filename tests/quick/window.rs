@@ -11,7 +11,7 @@ use halfplane_tests::{
     Frame,
     failure::Verdict,
     properties::{
-        bins, conservative, coverage, depth, depth_test::COMPARISONS, draws, enumeration, errors,
+        bins, boxes, conservative, coverage, depth, depth_test::COMPARISONS, draws, enumeration, errors,
         hierarchical, lanes, numbers, scene, setup, statistics, storage, watertight,
     },
     shapes::{Kind, Random, clip_bits, depths, triangle, triangulation},
@@ -38,6 +38,10 @@ fn properties_hold() -> Verdict {
     of_storage::<Standard>(&mut random)?;
     of_bounds::<Standard>(&mut random)?;
     of_bounds::<Small>(&mut random)?;
+    for _ in 0..60 {
+        let beside = [0; 4].map(|_: u32| random.between(-8, 8) as i32);
+        boxes::rectangles_beside_samples_are_in_their_bound(random.words(), beside, random.words())?;
+    }
     of_statistics(&mut random)?;
     for kind in Kind::ALL {
         coverage::equals_reference_in_a_long_scissor::<Standard>(&mut random, false, kind)?;
