@@ -4,8 +4,13 @@
 
 use halfplane_tests::{
     case::{Case, Numbers},
+    ensure,
     failure::Verdict,
-    properties::{batches, cones, definition_path, lanes, lists, meshlets, simd},
+    properties::{
+        batches,
+        cones::{self, Faced},
+        definition_path, lanes, lists, meshlets, simd,
+    },
     shapes::{Kind, Patch, Random},
 };
 
@@ -76,25 +81,30 @@ fn of_queries(random: &mut Random) -> Verdict {
     }
     batches::clusters_are_small(1000, random.bits())?;
     batches::batches_are_the_mesh(&Case::grid(260))?;
+    // Ordinary patches: most have a cone, and are left out where they face away.
+    let mut met = Faced::default();
+    for _ in 0..100 {
+        let patch = patch(random, [[-4, -1], [-3, 0], [-4, -2], [-2, 3], [4, 6]]);
+        met = met.and(cones::patches_are_their_triangles(&patch, [64, 48])?);
+    }
+    ensure!(met.cones[0] > met.cones[1] / 2 && met.left_out > met.facing / 2, "{met:?}");
     for _ in 0..300 {
-        let power = |random: &mut Random, from: i64, to: i64| random.between(from, to) as i32;
-        let patch = Patch {
-            count: 1 + random.below(39),
-            spread: random.below(5) as f64 / 10.0,
-            powers: [
-                power(random, -6, 0),
-                power(random, -10, 0),
-                power(random, -6, -1),
-                power(random, -2, 8),
-                power(random, -9, 7),
-            ],
-            cosine: random.between(-1000, 1000) as f64 / 1000.0,
-            orthographic: random.below(4) == 0,
-            seed: random.bits(),
-        };
+        let patch = patch(random, [[-6, 0], [-10, 0], [-6, -1], [-2, 8], [-9, 7]]);
         cones::patches_are_their_triangles(&patch, [64, 48])?;
     }
     Ok(())
+}
+
+/// A patch with powers between these.
+fn patch(random: &mut Random, powers: [[i64; 2]; 5]) -> Patch {
+    Patch {
+        count: 1 + random.below(39),
+        spread: random.below(5) as f64 / 10.0,
+        powers: powers.map(|[from, to]| random.between(from, to) as i32),
+        cosine: random.between(-1000, 1000) as f64 / 1000.0,
+        orthographic: random.below(4) == 0,
+        seed: random.bits(),
+    }
 }
 
 fn triangles(random: &mut Random, most: usize) -> Vec<Numbers> {
