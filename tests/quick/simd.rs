@@ -7,7 +7,7 @@ use halfplane_tests::{
     ensure,
     failure::Verdict,
     properties::{
-        batches,
+        batches, bins,
         cones::{self, Faced},
         definition_path, lanes, lists, meshlets, simd,
     },
@@ -53,6 +53,9 @@ fn of_meshes(random: &mut Random, round: usize) -> Verdict {
     simd::frame_is_the_scalar_one(&few)?;
     meshlets::meshlets_are_the_mesh(&few)?;
     definition_path::frame_is_the_one_of_arrays(&few)?;
+    let around = few.around_the_eye(random.bits());
+    simd::frame_is_the_scalar_one(&around)?;
+    meshlets::meshlets_are_the_mesh(&around)?;
     if round % 10 == 1 {
         let many = case(random, 400);
         simd::frame_is_the_scalar_one(&many)?;
@@ -89,6 +92,8 @@ fn of_meshes(random: &mut Random, round: usize) -> Verdict {
 /// Batches, lists, boxes, spheres and cones.
 fn of_queries(random: &mut Random, round: usize) -> Verdict {
     let case = case(random, if round % 10 == 9 { 1500 } else { 60 });
+    let (region, state) = (case.frame.core_region()?, case.state()?);
+    bins::binned_is_immediate(&case.positions()?, &case.indices, region, &state, random.bits())?;
     batches::batches_are_the_mesh(&case)?;
     batches::ids_of_batches_are_the_nearest(&case)?;
     batches::answers_are_certain(&case)?;

@@ -133,6 +133,21 @@ impl Case {
         }
     }
 
+    /// The same with its vertices anywhere around the eye instead, near ones and far ones: triangles pass by it, and
+    /// some that have every corner out of view are in view.
+    #[must_use]
+    pub fn around_the_eye(mut self, seed: u64) -> Self {
+        let mut random = Random(seed);
+        for vertex in &mut self.model.vertices {
+            let size = (random.between(-4, 8) as f32).exp2();
+            *vertex = [0; 3].map(|_: u32| random.between(-1000, 1000) as f32 / 1000.0 * size);
+        }
+        self.model.matrix = [[1., 0., 0., 0.], [0., 1., 0., 0.], [0., 0., 1., 1.], [0., 0., -0.0625, 0.]];
+        self.projection = Projection::Perspective;
+        self.wanted.clear();
+        self
+    }
+
     /// Its vertices before its matrix and viewport.
     pub fn positions(&self) -> Result<ModelPositions<'_, Standard>, Failure> {
         Ok(ModelPositions::new(&self.model.vertices, self.model.matrix, self.core_viewport()?))

@@ -6,6 +6,7 @@ use halfplane_tests::{
     case::Case,
     properties::{
         crossing::{is_exact_in_f32, is_exact_in_f64},
+        meshlets::meshlets_are_the_mesh,
         simd::{
             Refused, constant_depths_are_unorm32, depths_are_the_scalar_ones, errors_are_the_scalar_ones,
             frame_is_the_scalar_one, levels,
@@ -77,6 +78,23 @@ fn frames_are_the_scalar_ones() {
         },
     );
     met.assert_all();
+}
+
+/// Triangles that pass by the eye, as pictures and as meshlets.
+#[test]
+fn frames_around_the_eye_are_the_scalar_ones() {
+    let met = Met::default();
+    check(
+        sizes::SIMD_FRAME,
+        (numbers::<12>(), numbers::<10>(), triangles(0..=40), any::<u64>()),
+        |(place, how, triangles, seed)| {
+            let case = Case::from_numbers(place, how, &triangles, &Kind::ALL).around_the_eye(seed);
+            met.count(frame_is_the_scalar_one(&case)?);
+            meshlets_are_the_mesh(&case)?;
+            Ok(())
+        },
+    );
+    met.assert_drawn(10);
 }
 
 /// More triangles than are collected at a time, those for the slow path among the others.

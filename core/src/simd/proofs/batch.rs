@@ -52,7 +52,8 @@ prove! {
         cover!(given == 1);
     }
 
-    /// No vertex in the box is nearer: its w, as rounded, is no less. For any places along one axis.
+    /// It is the w of one of the box's corners, the smallest, in which no other vertex of the box has a smaller one, as
+    /// rounded: for any places along one axis.
     [Batch::distance]
     fn no_vertex_is_nearer(low: u32, high: u32, place: u32) {
         let [low, high, place] = [low, high, place].map(f32::from_bits);
@@ -62,7 +63,7 @@ prove! {
         let corners = [[1.0, low, 6.0], [2.0, high, 8.0]];
         let distance = Batch { corners, ..Batch::EMPTY }.distance(&matrix);
         let w = m3 + 1.0 * m0 + place * m1 + 7.0 * m2;
-        assert!(distance <= w);
+        assert!(distance <= w && distance == m3 + 1.0 * m0 + high * m1 + 6.0 * m2);
         cover!(distance == w - 0.5 && distance == 9.0);
     }
 }

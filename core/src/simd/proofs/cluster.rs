@@ -28,4 +28,17 @@ prove! {
         assert!(first ^ second == 1 && places[usize::from(first & 1)] <= places[usize::from(second & 1)]);
         cover!(places[1] < places[0]);
     }
+
+    /// Halves lie apart along the axis along which the triangles are the farthest apart: of two, the first such axis.
+    #[kani::unwind(5)]
+    [halve, center]
+    fn the_longest_axis_is_halved(x: [i32; 2] = [-20; 2]..=[20; 2], z: [i32; 2] = [-20; 2]..=[20; 2]) {
+        let places = [0, 1].map(|at| [x[at], 5, z[at]].map(|v| v as f32));
+        let mut triangles = [[0_u8; 3], [1; 3]];
+        halve(&places, &mut triangles, 1);
+        let [first, second] = triangles.map(|[first, ..]| usize::from(first & 1));
+        let along = if x[0].abs_diff(x[1]) >= z[0].abs_diff(z[1]) { x } else { z };
+        assert!(first != second && along[first] <= along[second]);
+        cover!(first == 1 && along[0] != x[0] && x[0] < x[1]);
+    }
 }
