@@ -11,8 +11,8 @@ use halfplane_tests::{
     Frame,
     failure::Verdict,
     properties::{
-        bins, boxes, conservative, coverage, depth, depth_test::COMPARISONS, draws, enumeration, errors,
-        hierarchical, lanes, numbers, scene, setup, statistics, storage, watertight,
+        bin_lists, bins, boxes, conservative, coverage, depth, depth_test::COMPARISONS, draws, enumeration,
+        errors, hierarchical, lanes, numbers, scene, setup, statistics, storage, watertight,
     },
     shapes::{Kind, Random, clip_bits, depths, triangle, triangulation},
     strategies::Shot,
@@ -198,28 +198,28 @@ where
 }
 
 fn of_bins(random: &mut Random) -> Verdict {
-    bins::what_waits_comes_first(Region::of_size(130, 70)?)?;
+    bin_lists::what_waits_comes_first(Region::of_size(130, 70)?)?;
     for [triangles, room] in [[0, 3], [1, 0], [7, 0], [7, 3], [7, 7]] {
-        bins::rounds_are_counted(triangles, room)?;
+        bin_lists::rounds_are_counted(triangles, room)?;
     }
     for small in 1..60 {
         for chunks in 1..6 {
-            bins::what_did_not_fit_is_gone(small, chunks, small / 2)?;
+            bin_lists::what_did_not_fit_is_gone(small, chunks, small / 2)?;
         }
     }
     for tiles in 2..12 {
-        bins::a_diagonal_needs_few_tiles(tiles)?;
+        bin_lists::a_diagonal_needs_few_tiles(tiles)?;
     }
     for order in [TileOrder::Rows, TileOrder::Hilbert] {
         for [columns, rows] in [[1, 1], [1, 4], [3, 2], [5, 7], [8, 3], [16, 16]] {
-            bins::tiles_come_in_order(columns, rows, order)?;
+            bin_lists::tiles_come_in_order(columns, rows, order)?;
         }
     }
     for _ in 0..30 {
         let frame = small_frame::<Standard>(random, 90);
         let region = frame.core_region::<Standard>()?;
         bins::errors_change_nothing(region, random.bits())?;
-        bins::samples_do_not_mix(region, frame.core_sample()?)?;
+        bin_lists::samples_do_not_mix(region, frame.core_sample()?)?;
         let triangles = [0; 10].map(|_: u32| clip_bits(random.words()));
         let positions = ClipPositions::new(triangles.as_flattened(), Viewport::new(region));
         let indices: Vec<u32> = (0..30).collect();

@@ -4,10 +4,11 @@ use halfplane::{ClipPositions, Cull, Format, Region, Small, Standard, State, Vie
 use halfplane_tests::{
     Failure, Frame,
     properties::{
-        bins::{
-            Met, a_diagonal_needs_few_tiles, binned_is_immediate, errors_change_nothing, rounds_are_counted,
-            samples_do_not_mix, tiles_come_in_order, what_did_not_fit_is_gone, what_waits_comes_first,
+        bin_lists::{
+            a_diagonal_needs_few_tiles, rounds_are_counted, samples_do_not_mix, tiles_come_in_order,
+            what_did_not_fit_is_gone, what_waits_comes_first,
         },
+        bins::{Met, binned_is_immediate, errors_change_nothing},
         scene::vertices,
     },
     run::check,

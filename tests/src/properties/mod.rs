@@ -2,6 +2,7 @@
 
 #[cfg(feature = "simd")]
 pub mod batches;
+pub mod bin_lists;
 pub mod bins;
 pub mod boxes;
 pub mod clipping;
