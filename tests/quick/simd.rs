@@ -3,6 +3,7 @@
 //! with more cases, at every level.
 
 use halfplane_tests::{
+    Failure,
     case::{Case, Numbers},
     ensure,
     failure::Verdict,
@@ -22,6 +23,7 @@ mod queue;
 fn properties_hold() -> Verdict {
     let mut random = Random(1);
     let mut met = Faced::default();
+    let mut answers = [0; 4];
     for round in 0..60 {
         let random = &mut random;
         let masks = [random.bits() as u16, random.bits() as u16];
@@ -29,7 +31,8 @@ fn properties_hold() -> Verdict {
         lanes::every_operation_at_every_level(random.words(), random.words(), masks, ramp)?;
         of_meshes(random, round)?;
         if round < 40 {
-            of_queries(random, round)?;
+            let given = of_queries(random, round)?;
+            answers.iter_mut().zip(given).for_each(|(sum, count)| *sum += count);
         }
         // Ordinary patches: most have a cone, and are left out where they face away.
         for _ in 0..2 {
@@ -41,9 +44,14 @@ fn properties_hold() -> Verdict {
             cones::patches_are_their_triangles(&patch, [64, 48])?;
         }
     }
+    // Each answer is given, and batches are hidden.
+    let asked = answers.iter().sum::<u32>();
+    ensure!(answers[..3].iter().all(|&count| count > asked / 50) && answers[3] > 0, "{answers:?}");
     ensure!(met.cones[0] > met.cones[1] / 2 && met.left_out > met.facing / 2, "{met:?}");
     batches::clusters_are_small(1000, random.bits())?;
-    batches::batches_are_the_mesh(&Case::grid(260))?;
+    // Nothing hides anything: questions stop.
+    let (_, occlusion) = batches::batches_are_the_mesh(&Case::grid(260))?;
+    ensure!(occlusion.hidden_meshlets < 5 && occlusion.meshlets < 200, "{occlusion:?}");
     Ok(())
 }
 
@@ -89,22 +97,34 @@ fn of_meshes(random: &mut Random, round: usize) -> Verdict {
     Ok(())
 }
 
-/// Batches, lists, boxes, spheres and cones.
-fn of_queries(random: &mut Random, round: usize) -> Verdict {
-    let case = case(random, if round % 10 == 9 { 1500 } else { 60 });
+/// Batches, lists, boxes, spheres and cones; how often a box or a sphere was outside, hidden and visible, and how many
+/// batches and meshlets were hidden.
+fn of_queries(random: &mut Random, round: usize) -> Result<[u32; 4], Failure> {
+    let case = if round % 20 == 9 { crowd(random) } else { case(random, 60) };
     let (region, state) = (case.frame.core_region()?, case.state()?);
     bins::binned_is_immediate(&case.positions()?, &case.indices, region, &state, random.bits())?;
-    batches::batches_are_the_mesh(&case)?;
+    let (_, occlusion) = batches::batches_are_the_mesh(&case)?;
     batches::ids_of_batches_are_the_nearest(&case)?;
-    batches::answers_are_certain(&case)?;
-    batches::answers_about_spheres_are_certain(&case)?;
+    let [of_boxes, of_spheres] =
+        [batches::answers_are_certain(&case)?, batches::answers_about_spheres_are_certain(&case)?];
+    let [outside, hidden, visible] = [0, 1, 2].map(|answer| of_boxes[answer] + of_spheres[answer]);
     batches::clusters_are_the_same_triangles(&case)?;
     batches::short_memory_is_refused(&case)?;
     lists::lists_out_of_sight_change_nothing(&case)?;
     lists::wrong_lists_are_refused(&case)?;
     lists::lists_of_window_triangles_are_asked_about(&case)?;
     cones::meshes_are_their_triangles(&case)?;
-    Ok(())
+    Ok([outside, hidden, visible, occlusion.hidden_batches + occlusion.hidden_meshlets])
+}
+
+/// So many large triangles that most are hidden.
+fn crowd(random: &mut Random) -> Case {
+    let all: Vec<Numbers> =
+        (0..1500).map(|_| (random.bits() as u32, random.words(), random.words())).collect();
+    let mut how: [u32; 10] = random.words();
+    // Every position, no face culled, the nearest wins.
+    [how[0], how[1], how[2], how[3], how[5]] = [0, 0, 0, 1, 0];
+    Case::from_numbers(random.words(), how, &all, &[Kind::Medium, Kind::AxisAligned, Kind::GuardBand])
 }
 
 /// A patch with powers between these.
