@@ -3,7 +3,7 @@
 use crate::{
     geometry::{Region, Sample},
     numbers::{Bounds, Coordinate, Format, Small, Standard, unorm32},
-    proof::{assume, cover, prove},
+    proof::{assume, cover, prove, which},
     transform::{
         Bound, Viewport,
         bound::{Corners, pixels},
@@ -70,6 +70,27 @@ prove! {
             assert!(found.values[corner] == expected || expected.is_nan());
         }
         cover!(found.values[7] == -3.0);
+    }
+
+    /// The size is at least the sum of the magnitudes at any corner, and no more than the largest such sum and twice
+    /// what is added.
+    [Corners::new]
+    fn sizes_hold_all_magnitudes(number: u32 = 0..=31) {
+        let found = which(32, |number| {
+            let low = [number % 4 - 2, 1 - number / 4 % 4, number / 16 * 5 - 4];
+            let high = [low[0] + 3, low[1] + 1, low[2] + 2];
+            [-8, -1, 0, 3].into_iter().all(|added: i32| {
+                let column = [2, -3, 1, added].map(|v| v as f32);
+                let size = Corners::new(column, low.map(|v| v as f32), high.map(|v| v as f32)).size as i32;
+                let most = (0..8).map(|corner| {
+                    let at = |axis: usize| if corner >> axis & 1 == 0 { low[axis] } else { high[axis] };
+                    2 * at(0).abs() + 3 * at(1).abs() + at(2).abs() + added.abs()
+                });
+                most.max().is_some_and(|most| most <= size && size <= most + 2 * added.abs())
+            })
+        });
+        assert!(found >> number & 1 == 1);
+        cover!(number == 31);
     }
 
     /// No quotient is left out of the ends, at any corner: seven corners at 1, and w at 2.
