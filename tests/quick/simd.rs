@@ -10,7 +10,7 @@ use halfplane_tests::{
     properties::{
         batches, bins,
         cones::{self, Faced},
-        definition_path, lanes, lists, meshlets, simd,
+        definition_path, lanes, lists, meshlets, questions, simd,
     },
     shapes::{Kind, Patch, Random},
 };
@@ -106,7 +106,7 @@ fn of_queries(random: &mut Random, round: usize) -> Result<[u32; 4], Failure> {
     let (_, occlusion) = batches::batches_are_the_mesh(&case)?;
     batches::ids_of_batches_are_the_nearest(&case)?;
     let [of_boxes, of_spheres] =
-        [batches::answers_are_certain(&case)?, batches::answers_about_spheres_are_certain(&case)?];
+        [questions::answers_are_certain(&case)?, questions::answers_about_spheres_are_certain(&case)?];
     let [outside, hidden, visible] = [0, 1, 2].map(|answer| of_boxes[answer] + of_spheres[answer]);
     batches::clusters_are_the_same_triangles(&case)?;
     batches::short_memory_is_refused(&case)?;
@@ -114,6 +114,7 @@ fn of_queries(random: &mut Random, round: usize) -> Result<[u32; 4], Failure> {
     lists::wrong_lists_are_refused(&case)?;
     lists::lists_of_window_triangles_are_asked_about(&case)?;
     cones::meshes_are_their_triangles(&case)?;
+    questions::occluders_by_any_name_are_the_same(&case)?;
     Ok([outside, hidden, visible, occlusion.hidden_batches + occlusion.hidden_meshlets])
 }
 

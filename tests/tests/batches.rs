@@ -5,9 +5,14 @@ use halfplane::simd::Occlusion;
 use halfplane_tests::{
     Failure,
     case::Case,
-    properties::batches::{
-        answers_about_spheres_are_certain, answers_are_certain, batches_are_the_mesh, clusters_are_small,
-        clusters_are_the_same_triangles, ids_of_batches_are_the_nearest, short_memory_is_refused,
+    properties::{
+        batches::{
+            batches_are_the_mesh, clusters_are_small, clusters_are_the_same_triangles,
+            ids_of_batches_are_the_nearest, short_memory_is_refused,
+        },
+        questions::{
+            answers_about_spheres_are_certain, answers_are_certain, occluders_by_any_name_are_the_same,
+        },
     },
     run::check,
     shapes::Kind,
@@ -117,6 +122,11 @@ fn spheres_that_are_out_of_sight_are() {
     println!("outside, hidden, visible: {:?}", met.get());
     let all: u32 = met.get().iter().sum();
     assert!(met.get().iter().all(|&count| count > all / 50), "{:?}", met.get());
+}
+
+#[test]
+fn occluders_in_pairs_and_by_reference_are_the_same() {
+    check(sizes::MESHLET_ERRORS, case(2..=60, &LARGE), |case| occluders_by_any_name_are_the_same(&case));
 }
 
 #[test]

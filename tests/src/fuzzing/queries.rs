@@ -7,7 +7,7 @@ use super::{
 use crate::{
     Failure, case,
     failure::Verdict,
-    properties::{batches, boxes, cones, depth_test::COMPARISONS, hierarchical, lists, spheres},
+    properties::{batches, boxes, cones, depth_test::COMPARISONS, hierarchical, lists, questions, spheres},
     shapes::{Kind, Patch},
 };
 use arbitrary::Arbitrary;
@@ -47,7 +47,7 @@ pub fn queries(data: &[u8]) -> Verdict {
             match what % 8 {
                 0 => batches::batches_are_the_mesh(&case).map(|_| ()),
                 1 => boxes::boxes_bound_what_they_hold(&case).map(|_| ()),
-                2 => batches::answers_are_certain(&case).map(|_| ()),
+                2 => questions::answers_are_certain(&case).map(|_| ()),
                 3 => spheres::spheres_left_out_are_outside(&case, center, radius, seed).map(|_| ()),
                 4 => spheres::spheres_bound_what_they_hold(&case).map(|_| ()),
                 5 => spheres::points_of_spheres_are_in_their_bound(&case, center, radius, seed).map(|_| ()),

@@ -2,7 +2,6 @@
 
 use super::{
     simd::{Storage, levels},
-    spheres::sphere_round,
     statistics::add_up,
 };
 use crate::{Failure, case::Case, ensure, ensure_eq, failure::Verdict, shapes::Random};
@@ -11,8 +10,7 @@ use halfplane::{
     Ids, Index as _, Standard, Statistics, depth_ranges, draw,
     simd::{
         Batch, BatchOrder, Level, Meshlet, MeshletError, MeshletScratch, Occluder, Occlusion, RowAttachment,
-        Visibility, Volume, ask, cluster, draw_batches, make_batches, make_meshlets, max_batches,
-        max_meshlets,
+        cluster, draw_batches, make_batches, make_meshlets, max_batches, max_meshlets,
     },
 };
 
@@ -223,86 +221,6 @@ pub fn ids_of_batches_are_the_nearest(case: &Case) -> Result<Drawn, Failure> {
         all_drawn = Some(drawn);
     }
     all_drawn.ok_or_else(|| Failure::new("no level"))
-}
-
-/// After a frame, whatever is said of boxes round some triangles is the same at every level, and drawing what is said to
-/// be out of sight changes no pixel. How often each answer was given: outside, hidden, visible.
-pub fn answers_are_certain(case: &Case) -> Result<[u32; 3], Failure> {
-    let triangles = case.indices.as_chunks::<3>().0;
-    let boxes: Vec<[[f32; 3]; 2]> = triangles
-        .iter()
-        .map(|corners| {
-            let corners = corners.map(|corner| case.model.vertices[corner as usize]);
-            let axis = |pick: fn(f32, f32) -> f32| {
-                [0, 1, 2].map(|k| corners.map(|c| c[k]).into_iter().fold(corners[0][k], pick))
-            };
-            [axis(f32::min), axis(f32::max)]
-        })
-        .collect();
-    are_certain(case, &boxes)
-}
-
-/// After a frame, what is said of spheres round its triangles is the same at every level, and drawing what is said to be
-/// out of sight changes no pixel. How often each answer was given: outside, hidden, visible.
-pub fn answers_about_spheres_are_certain(case: &Case) -> Result<[u32; 3], Failure> {
-    let spheres: Vec<_> = case
-        .indices
-        .as_chunks::<3>()
-        .0
-        .iter()
-        .map(|corners| sphere_round(corners.map(|corner| case.model.vertices[corner as usize])))
-        .collect();
-    are_certain(case, &spheres)
-}
-
-/// The same for volumes, each round the triangle of its number.
-pub(super) fn are_certain<V: Volume>(case: &Case, volumes: &[V]) -> Result<[u32; 3], Failure> {
-    let (state, region) = (case.state()?, case.frame.core_region()?);
-    let triangles = case.indices.as_chunks::<3>().0;
-    let half = triangles.len() / 2;
-    let test = match case.test.compare {
-        Compare::Always => DepthTest::LESS,
-        _ => case.test,
-    };
-    let mut storage = Storage::new(region, case.contents);
-    let mut ranges = vec![DepthRange::UNKNOWN; depth_ranges(region.width(), region.height())];
-    let mut depth = HierarchicalDepth::<Standard>::new(region, &mut storage.depths, &mut ranges, test)?;
-    draw(&case.positions()?, triangles[..half].as_flattened(), 0, &state, &mut depth)?;
-    let mut said = None;
-    for level in levels() {
-        let mut answers = vec![Visibility::default(); volumes.len()];
-        ask(level, volumes, &case.model.matrix, &case.core_viewport()?, &state, &mut depth, &mut answers)?;
-        ensure_eq!(*said.get_or_insert_with(|| answers.clone()), answers, "{}", level.name());
-    }
-    let said = said.ok_or_else(|| Failure::new("no level"))?;
-    let mut few = vec![Visibility::default(); volumes.len().saturating_sub(1)];
-    if !volumes.is_empty() {
-        let error = ask(
-            Level::FALLBACK,
-            volumes,
-            &case.model.matrix,
-            &case.core_viewport()?,
-            &state,
-            &mut depth,
-            &mut few,
-        );
-        let expected = DrawError::ScratchTooSmall { needed: volumes.len(), given: volumes.len() - 1 };
-        ensure_eq!(error, Err(expected), "too few answers");
-    }
-    let mut before = vec![0; (region.width() * region.height()) as usize];
-    depth.depth().to_linear(&mut before)?;
-    let gone: Vec<u32> = triangles
-        .iter()
-        .zip(&said)
-        .filter(|(_, said)| **said != Visibility::Visible)
-        .flat_map(|(corners, _)| *corners)
-        .collect();
-    draw(&case.positions()?, &gone, 0, &state, &mut depth)?;
-    let mut after = before.clone();
-    depth.depth().to_linear(&mut after)?;
-    ensure!(after == before, "what was out of sight is seen");
-    let count = |what| said.iter().filter(|&&said| said == what).count() as u32;
-    Ok([Visibility::Outside, Visibility::Hidden, Visibility::Visible].map(count))
 }
 
 /// Memory that is too short is refused, and nothing is written.

@@ -33,6 +33,8 @@ pub mod neighbours;
 pub mod numbers;
 pub mod outline;
 pub mod points;
+#[cfg(feature = "simd")]
+pub mod questions;
 pub mod scene;
 pub mod setup;
 pub mod shared_edge;

@@ -30,15 +30,15 @@ prove! {
         cover!(x < 0);
     }
 
-    /// A clip coordinate over a sphere: its value in the middle, its slope, and a size that is no less than its
-    /// magnitude anywhere. For whole numbers.
+    /// A clip coordinate over a sphere: its value in the middle, its slope, and its size, the magnitudes of its terms
+    /// where each is the largest. For whole numbers.
     [Linear::new]
     fn coordinates_over_spheres_are_exact(x: i32 = -8..=7, radius: i32 = 0..=7) {
         let found = Linear::new([2.0, -3.0, 1.0, 5.0], [x as f32, 4.0, -2.0], radius as f32);
         let value = 2 * x - 9;
         assert!(found.value == f64::from(value));
         assert!(found.slope == [2 * radius, -3 * radius, radius].map(f64::from));
-        assert!(f64::from(value.abs() + 6 * radius) <= found.size);
+        assert!(found.size == f64::from(2 * (x.abs() + radius) + 3 * (4 + radius) + (2 + radius) + 5));
         cover!(x == -3 && radius == 5);
     }
 
