@@ -52,6 +52,35 @@ prove! {
 mod tested {
     use super::*;
 
+    /// The place of the verdict on sixteen such triangles among [fast, slow, outside, zero area, facing, no sample], which
+    /// is that of the scalar set-up; `None` where there are none.
+    fn verdict(places: [[i32; 2]; 3], region: Region<Standard>, cull: u8, present: u32) -> Option<usize> {
+        let [Ok(a), Ok(b), Ok(c)] = places.map(|[x, y]| Vertex::new(x, y, 9)) else { return None };
+        let cull = [Cull::None, Cull::Back, Cull::Front][usize::from(cull)];
+        let state = State { cull, ..State::new(region) };
+        let records = Records { places: &places.map(|place| place.map(|v| v as u32)), depths: &[9; 3] };
+        let verdict = Culling::new(simd(), region, &state).sixteen(records, &[[0_u16, 1, 2]; 16], present);
+        let fast = bits(verdict.fast);
+        let found =
+            [fast, verdict.slow, verdict.outside, verdict.zero_area, verdict.facing, verdict.no_sample];
+        let ([xa, ya], [xb, yb], [xc, yc]) = (places[0], places[1], places[2]);
+        let extent = (xa.max(xb).max(xc) - xa.min(xb).min(xc)).max(ya.max(yb).max(yc) - ya.min(yb).min(yc));
+        let at = match draw::prepare([a, b, c], region, &state) {
+            Err(Culled::Outside) => 2,
+            _ if extent >= SMALL_EXTENT => 1,
+            Ok(_) => 0,
+            Err(Culled::ZeroArea) => 3,
+            Err(Culled::Facing) => 4,
+            Err(Culled::NoSample) => 5,
+        };
+        for (k, found) in found.into_iter().enumerate() {
+            assert!(found == if k == at { present } else { 0 });
+        }
+        assert!(bits(verdict.small) & !fast == 0 && bits(verdict.medium) & !fast == 0);
+        assert!(bits(verdict.small) & bits(verdict.medium) == 0);
+        Some(at)
+    }
+
     prove! {
         /// Each of the triangles that are there has one verdict, the one of the scalar set-up: for vertices
         /// that have a place in the window. (Sixteen of the same; lanes know nothing of each other.)
@@ -64,30 +93,26 @@ mod tested {
         ) {
             let [x0, y0, x1, y1] = region;
             let Ok(region) = Region::<Standard>::new(x0, y0, x1, y1) else { return };
-            let [Ok(a), Ok(b), Ok(c)] = places.map(|[x, y]| Vertex::new(x, y, 9)) else { return };
-            let cull = [Cull::None, Cull::Back, Cull::Front][usize::from(cull)];
-            let state = State { cull, ..State::new(region) };
-            let records = Records { places: &places.map(|place| place.map(|v| v as u32)), depths: &[9; 3] };
-            let verdict = Culling::new(simd(), region, &state).sixteen(records, &[[0_u16, 1, 2]; 16], present);
-            let fast = bits(verdict.fast);
-            let found = [fast, verdict.slow, verdict.outside, verdict.zero_area, verdict.facing, verdict.no_sample];
-            let ([xa, ya], [xb, yb], [xc, yc]) = (places[0], places[1], places[2]);
-            let extent = (xa.max(xb).max(xc) - xa.min(xb).min(xc)).max(ya.max(yb).max(yc) - ya.min(yb).min(yc));
-            let at = match draw::prepare([a, b, c], region, &state) {
-                Err(Culled::Outside) => 2,
-                _ if extent >= SMALL_EXTENT => 1,
-                Ok(_) => 0,
-                Err(Culled::ZeroArea) => 3,
-                Err(Culled::Facing) => 4,
-                Err(Culled::NoSample) => 5,
-            };
-            for (k, found) in found.into_iter().enumerate() {
-                assert!(found == if k == at { present } else { 0 });
-            }
-            assert!(bits(verdict.small) & !fast == 0 && bits(verdict.medium) & !fast == 0);
-            assert!(bits(verdict.small) & bits(verdict.medium) == 0);
+            let Some(at) = verdict(places, region, cull, present) else { return };
             cover!(at == 0);
             cover!(at == 4);
+        }
+
+        /// The same for triangles that are in a region or beside it, near the target's origin.
+        []
+        fn verdicts_beside_a_region_are_those_of_one_triangle(
+            places: [[i32; 2]; 3] = [[-(160 << 8); 2]; 3]..=[[160 << 8; 2]; 3],
+            origin: [u32; 2] = [0; 2]..=[64; 2],
+            sides: [u32; 2] = [1; 2]..=[100; 2],
+            cull: u8 = 0..=2,
+            present: u32 = 1..=0xFFFF,
+        ) {
+            let ([x, y], [width, height]) = (origin, sides);
+            let Ok(region) = Region::<Standard>::new(x, y, x + width, y + height) else { return };
+            let Some(at) = verdict(places, region, cull, present) else { return };
+            cover!(at == 1);
+            cover!(at == 2);
+            cover!(at == 5);
         }
     }
 }
