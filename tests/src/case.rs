@@ -133,6 +133,20 @@ impl Case {
         }
     }
 
+    /// A grid like that one behind two triangles that hide all of it, the last ones of the list.
+    pub fn behind_a_wall(side: u16) -> Self {
+        let mut case = Self::grid(side);
+        // Twice as far, and as large.
+        for [x, y, z] in &mut case.model.vertices {
+            (*x, *y, *z) = (2.0 * *x, 2.0 * *y, 2.0);
+        }
+        case.model.matrix = [[1., 0., 0., 0.], [0., 1., 0., 0.], [0., 0., 1., 1.], [0., 0., -0.5, 0.]];
+        let first = case.model.vertices.len() as u32;
+        case.model.vertices.extend([[-1.5, -1.5, 1.0], [1.5, -1.5, 1.0], [-1.5, 1.5, 1.0], [1.5, 1.5, 1.0]]);
+        case.indices.extend([0, 1, 2, 2, 1, 3].map(|corner| first + corner));
+        case
+    }
+
     /// The same with its vertices anywhere around the eye instead, near ones and far ones: triangles pass by it, and
     /// some that have every corner out of view are in view.
     #[must_use]

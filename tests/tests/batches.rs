@@ -74,6 +74,15 @@ fn frames_of_a_grid_are_those_of_the_mesh() -> Result<(), Failure> {
     Ok(())
 }
 
+/// What is near is drawn first, wherever it is in the list, and hides what is behind it.
+#[test]
+fn frames_behind_a_wall_are_those_of_the_mesh() -> Result<(), Failure> {
+    let (statistics, occlusion) = batches_are_the_mesh(&Case::behind_a_wall(100))?;
+    println!("{statistics}, {occlusion:?}");
+    assert!(statistics.culled.hidden > 10_000 && occlusion.hidden_batches > 8, "{statistics}, {occlusion:?}");
+    Ok(())
+}
+
 /// More than fit into the scratch memory at a time, in several batches.
 #[test]
 fn frames_of_many_batches_are_those_of_the_mesh() {

@@ -5,7 +5,7 @@ use halfplane_tests::{
     case::Case,
     properties::meshlets::{
         Grazing, grazing_meshlets_are_the_mesh, meshlet_errors, meshlets_are_the_mesh,
-        meshlets_can_be_drawn_alone,
+        meshlets_can_be_drawn_alone, meshlets_say_what_they_hold,
     },
     run::check,
     shapes::Kind,
@@ -71,5 +71,12 @@ fn meshlets_drawn_one_by_one_are_the_mesh() {
 fn refused_meshes_say_why() {
     check(sizes::MESHLET_ERRORS, (1..300usize, any::<u64>()), |(triangles, seed)| {
         meshlet_errors(triangles, seed)
+    });
+}
+
+#[test]
+fn meshlets_hold_their_triangles() {
+    check(sizes::MESHLET_ERRORS, (1..300usize, any::<u64>()), |(triangles, seed)| {
+        meshlets_say_what_they_hold(triangles, seed)
     });
 }

@@ -222,3 +222,34 @@ pub fn meshlet_errors(triangles: usize, seed: u64) -> Verdict {
     );
     Ok(())
 }
+
+/// A meshlet's box is the one round its own triangles' corners; and it has no cone where two of its triangles face opposite
+/// ways.
+pub fn meshlets_say_what_they_hold(triangles: usize, seed: u64) -> Verdict {
+    let (positions, indices) = scattered(triangles, seed);
+    let meshlets = meshlets_of(&positions, &indices)?;
+    let mut next = 0;
+    for meshlet in &meshlets {
+        let range = meshlet.triangles();
+        ensure_eq!(range.start, next, "the first triangle");
+        next = range.end;
+        let own = &indices[3 * range.start as usize..3 * range.end as usize];
+        let corners = own.iter().map(|&index| positions[index as usize]);
+        let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+        for corner in corners {
+            for axis in 0..3 {
+                low[axis] = low[axis].min(corner[axis]);
+                high[axis] = high[axis].max(corner[axis]);
+            }
+        }
+        ensure_eq!(meshlet.corners_of_box(), [low, high], "the box of {range:?}");
+    }
+    ensure_eq!(next as usize, triangles, "triangles");
+    let face = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    for (indices, has_cone) in [(&[0u32, 1, 2][..], true), (&[0, 1, 2, 0, 2, 1], false), (&[0, 1, 1], false)]
+    {
+        let given: Vec<bool> = meshlets_of(&face, indices)?.iter().map(Meshlet::has_cone).collect();
+        ensure_eq!(given, [has_cone], "a cone of {indices:?}");
+    }
+    Ok(())
+}

@@ -14,10 +14,27 @@ use halfplane::{
     simd::{self, Level, Snapped, Triangles},
     texels, unorm32,
 };
+use std::collections::BTreeSet;
 
 /// The levels of this machine, best first; the last has no vectors.
 pub fn levels() -> impl Iterator<Item = Level> {
     Level::detect().and_below()
+}
+
+/// The levels of this machine have names, each its own: the best first, then the one that everything is compiled for, if it
+/// is another, and those without vectors last.
+pub fn levels_have_names() -> Verdict {
+    let names: Vec<_> = levels().map(Level::name).collect();
+    println!("levels: {names:?}");
+    ensure_eq!(names.first(), Some(&Level::detect().name()), "the best one");
+    ensure_eq!(names.last(), Some(&"fallback"), "the last one");
+    ensure_eq!(BTreeSet::from_iter(&names).len(), names.len(), "names in {names:?}");
+    ensure!(names.contains(&Level::baseline().name()), "{names:?}");
+    #[cfg(target_arch = "x86_64")]
+    ensure!(names.contains(&"sse2"), "{names:?}");
+    #[cfg(target_arch = "aarch64")]
+    ensure!(names.contains(&"neon"), "{names:?}");
+    Ok(())
 }
 
 /// The memory of all attachments.
