@@ -142,5 +142,35 @@ mod tested {
             cover!(expected == DEPTH32_MAX);
             cover!(expected == 3);
         }
+
+        /// Places, codes and depths are those of the scalar path: for vertices about the guard band, and about the planes of
+        /// the frustum.
+        []
+        fn vertices_are_the_scalar_ones(
+            places: [i32; 2] = [-40_000; 2]..=[40_000; 2],
+            near: [i32; 2] = [-1100; 2]..=[1100; 2],
+            far: bool,
+            z: i32 = -20..=1100,
+            w: i32 = -2..=1024,
+        ) {
+            let Ok(region) = Region::new(8, 16, 72, 48) else { return };
+            let [x, y] = if far { places.map(|v| v as f32 / 16.0) } else { near.map(|v| v as f32 / 64.0) };
+            let (z, w) = (z as f32 / 64.0, w as f32 / 64.0);
+            let matrix = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, w]];
+            let viewport = Viewport::new(region);
+            let source = ModelPositions::new(&[], matrix, viewport);
+            let planes = Plane::clipping(viewport.guard_band());
+            let ([expected_x, expected_y], expected_z) = snap_one([x, y, z, w], &viewport, &planes);
+            let (mut places, mut depths) = ([[0; 2]; 16], [0; 16]);
+            let position = [x, y, z].map(|v| Floats::splat(simd(), v));
+            VertexLanes::new(simd(), &source).sixteen(simd(), position, &mut places, &mut depths);
+            let special = (expected_x as i32) <= SPECIAL + PLANES;
+            for lane in LANES {
+                assert!(places[lane][0] == expected_x);
+                assert!(special || (places[lane][1], depths[lane]) == (expected_y, expected_z));
+            }
+            cover!(special && far);
+            cover!(!special && expected_z == 1 << 31);
+        }
     }
 }
