@@ -143,8 +143,8 @@ mod tested {
             cover!(expected == 3);
         }
 
-        /// Places, codes and depths are those of the scalar path: for vertices about the guard band, and about the planes of
-        /// the frustum.
+        /// Places, codes and depths are those of the scalar path: for vertices about the guard band, and about the
+        /// planes of the frustum.
         []
         fn vertices_are_the_scalar_ones(
             places: [i32; 2] = [-40_000; 2]..=[40_000; 2],
