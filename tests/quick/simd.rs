@@ -80,6 +80,7 @@ fn of_meshes(random: &mut Random, round: usize) -> Verdict {
         meshlets::meshlets_are_the_mesh(&many)?;
         meshlets::meshlets_can_be_drawn_alone(1 + random.below(300), random.bits())?;
         meshlets::meshlet_errors(1 + random.below(300), random.bits())?;
+        meshlets::single_triangles_are_the_mesh(1 + random.below(100), random.bits())?;
         meshlets::meshlets_say_what_they_hold(1 + random.below(300), random.bits())?;
     }
     let refused = simd::Refused {

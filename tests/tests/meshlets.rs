@@ -5,7 +5,7 @@ use halfplane_tests::{
     case::Case,
     properties::meshlets::{
         Grazing, grazing_meshlets_are_the_mesh, meshlet_errors, meshlets_are_the_mesh,
-        meshlets_can_be_drawn_alone, meshlets_say_what_they_hold,
+        meshlets_can_be_drawn_alone, meshlets_say_what_they_hold, single_triangles_are_the_mesh,
     },
     run::check,
     shapes::Kind,
@@ -71,6 +71,13 @@ fn meshlets_drawn_one_by_one_are_the_mesh() {
 fn refused_meshes_say_why() {
     check(sizes::MESHLET_ERRORS, (1..300usize, any::<u64>()), |(triangles, seed)| {
         meshlet_errors(triangles, seed)
+    });
+}
+
+#[test]
+fn single_triangles_as_meshlets_are_the_mesh() {
+    check(sizes::MESHLET_ALONE, (1..200usize, any::<u64>()), |(triangles, seed)| {
+        single_triangles_are_the_mesh(triangles, seed)
     });
 }
 

@@ -253,3 +253,29 @@ pub fn meshlets_say_what_they_hold(triangles: usize, seed: u64) -> Verdict {
     }
     Ok(())
 }
+
+/// Triangles that are a meshlet each: as many as there are, however few fill the scratch memory.
+pub fn single_triangles_are_the_mesh(triangles: usize, seed: u64) -> Verdict {
+    let (positions, indices) = scattered(triangles, seed);
+    let mut singles = Vec::new();
+    for corners in indices.chunks(3) {
+        singles.extend(meshlets_of(&positions, corners)?);
+    }
+    let region = Region::<Standard>::of_size(64, 64)?;
+    let (viewport, state) = (Viewport::new(region), State::new(region));
+    let matrix = [[1., 0., 0., 0.], [0., 1., 0., 0.], [0., 0., 1., 0.], [0., 0., 0., 1.]];
+    let mut expected = Storage::new(region, 0);
+    let mut depth = Depth::<Standard>::new(region, &mut expected.depths, DepthTest::LESS)?;
+    let positions = ModelPositions::new(&positions, matrix, viewport);
+    let wanted = draw(&positions, &indices, 0, &state, &mut depth)?;
+    let mut scratch = MeshletScratch::NEW;
+    for level in levels() {
+        let mut given = Storage::new(region, 0);
+        let mut depth = Depth::<Standard>::new(region, &mut given.depths, DepthTest::LESS)?;
+        let statistics =
+            simd::draw_meshlets(level, &singles, matrix, viewport, &mut scratch, 0, &state, &mut depth)?;
+        ensure_eq!(statistics, wanted, "{}", level.name());
+        given.equals(&expected, level.name())?;
+    }
+    Ok(())
+}

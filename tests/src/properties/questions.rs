@@ -6,8 +6,8 @@ use super::{
 };
 use crate::{Failure, case::Case, ensure, ensure_eq, failure::Verdict};
 use halfplane::{
-    Compare, DepthRange, DepthTest, DrawError, HierarchicalDepth, Ids, OutsideAttachment, Region, Standard,
-    State, depth_ranges, draw,
+    Compare, DepthRange, DepthTest, DrawError, Frustum, HierarchicalDepth, Ids, OutsideAttachment, Region,
+    Standard, State, depth_ranges, draw,
     simd::{Level, Occluder, Visibility, Volume, ask},
 };
 
@@ -29,7 +29,8 @@ fn boxes_round(case: &Case) -> Vec<[[f32; 3]; 2]> {
 /// After a frame, whatever is said of boxes round some triangles is the same at every level, and drawing what is said to
 /// be out of sight changes no pixel. How often each answer was given: outside, hidden, visible.
 pub fn answers_are_certain(case: &Case) -> Result<[u32; 3], Failure> {
-    are_certain(case, &boxes_round(case))
+    let frustum = Frustum::new(&case.model.matrix);
+    are_certain(case, &boxes_round(case), |&corners| frustum.excludes_box(corners))
 }
 
 /// After a frame, what is said of spheres round its triangles is the same at every level, and drawing what is said to be
@@ -42,11 +43,16 @@ pub fn answers_about_spheres_are_certain(case: &Case) -> Result<[u32; 3], Failur
         .iter()
         .map(|corners| sphere_round(corners.map(|corner| case.model.vertices[corner as usize])))
         .collect();
-    are_certain(case, &spheres)
+    let frustum = Frustum::new(&case.model.matrix);
+    are_certain(case, &spheres, |&(center, radius)| frustum.excludes_sphere(center, radius))
 }
 
-/// The same for volumes, each round the triangle of its number.
-fn are_certain<V: Volume>(case: &Case, volumes: &[V]) -> Result<[u32; 3], Failure> {
+/// The same for volumes, each round the triangle of its number; what the frustum excludes is outside.
+fn are_certain<V: Volume>(
+    case: &Case,
+    volumes: &[V],
+    excluded: impl Fn(&V) -> bool,
+) -> Result<[u32; 3], Failure> {
     let (state, region) = (case.state()?, case.frame.core_region()?);
     let triangles = case.indices.as_chunks::<3>().0;
     let half = triangles.len() / 2;
@@ -65,6 +71,12 @@ fn are_certain<V: Volume>(case: &Case, volumes: &[V]) -> Result<[u32; 3], Failur
         ensure_eq!(*said.get_or_insert_with(|| answers.clone()), answers, "{}", level.name());
     }
     let said = said.ok_or_else(|| Failure::new("no level"))?;
+    for (at, (volume, &said)) in volumes.iter().zip(&said).enumerate() {
+        ensure!(
+            !excluded(volume) || said == Visibility::Outside,
+            "volume {at}, outside the frustum, is {said:?}"
+        );
+    }
     let mut few = vec![Visibility::default(); volumes.len().saturating_sub(1)];
     if !volumes.is_empty() {
         let error = ask(
