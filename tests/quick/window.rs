@@ -64,6 +64,7 @@ fn properties_hold() -> Verdict {
     of_bins(&mut random)?;
     of_hierarchies::<Small, D16>(&mut random, DepthSpec::SMALL)?;
     of_hierarchies::<Standard, D32>(&mut random, DepthSpec::D32)?;
+    of_hierarchies::<Standard, D16>(&mut random, DepthSpec::D16)?;
     of_lattices()?;
     of_meshes(&mut random)
 }
