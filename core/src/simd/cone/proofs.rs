@@ -277,7 +277,7 @@ prove! {
         let found = which(8, |number| {
             let slope = 4.0 + (number - 3) as f32 / 1024.0;
             let side = |slope: f32| [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, slope]];
-            let cone = Cone::new([2.0, 2.0, 0.0], [side(slope), side(-slope)].into_iter());
+            let cone = Cone::new([2.0, 2.0, 0.0], [side(slope), side(-slope)].iter().copied());
             cone.is_some() == (slope < 4.0)
         });
         assert!(found >> number & 1 == 1);
@@ -292,9 +292,9 @@ prove! {
             let thin = [[a, a, b], [a, b, a], [b, a, a]][number as usize % 3];
             let flat = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
             let triangles = if number < 3 { [flat, thin] } else { [thin, flat] };
-            let cone = Cone::new([2.0, 2.0, 0.0], triangles.into_iter());
+            let cone = Cone::new([2.0, 2.0, 0.0], triangles.iter().copied());
             cone.is_some_and(|cone| cone.axis == [0.0, 0.0, 1.0] && cone.area > 15.0)
-                && Cone::new([0.0; 3], [thin].into_iter()).is_none()
+                && Cone::new([0.0; 3], [thin].iter().copied()).is_none()
         });
         assert!(found >> number & 1 == 1);
         cover!(number == 5);

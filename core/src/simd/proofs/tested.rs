@@ -3,11 +3,15 @@
 use super::{
     super::{
         meshlet::{Builder, Meshlet, MeshletError, VERTICES, make_meshlets},
+        setup::gradient,
         sort::{select, sort},
     },
+    longs,
     setup::gradient_is_nearest,
+    simd,
 };
 use crate::proof::{cover, prove};
+use fearless_simd::{f64x8, prelude::*};
 
 prove! {
     /// The gradient for areas of 2^k: the quotient's digits come out exact.
@@ -20,6 +24,26 @@ prove! {
     []
     fn gradients_by_3(numerator: i64 = -(1 << 20)..=1 << 20) {
         gradient_is_nearest(numerator, 3);
+    }
+
+    /// The gradient where the quotient is so close to a half that a digit before the last one must be whole: four of
+    /// 3 * 10^8 numerators and areas.
+    []
+    fn gradients_next_to_a_half(number: usize = 0..=3) {
+        let (numerator, area) = [
+            (1_193_920_669_865_i64, 38_179_023),
+            (-94_691_119_642, 15_521_964),
+            (87_598_422, 19_506_775),
+            (-9_169_268_515, 19_774_175),
+        ][number];
+        let divisor = f64::from(area);
+        let [numerators, divisors, inverses] =
+            [numerator as f64, divisor, 1.0 / divisor].map(|v| f64x8::splat(simd(), v));
+        let word = longs(gradient(simd(), numerators, divisors, inverses))[0];
+        let area = i128::from(area);
+        let nearest = ((i128::from(numerator) << 33) + area).div_euclid(2 * area);
+        assert!(i128::from(word as i64) == nearest);
+        cover!(number == 3);
     }
 
     /// A triangle is added with new vertices at the end, its corners naming them.
