@@ -207,7 +207,7 @@ prove! {
         let found = which(8, |number| {
             let at = (number - 4) as f32 * 0.75;
             let flat = [[0.0; 3], [1.0, -2.0, 0.5], [at, -2.0 * at, 0.5 * at]];
-            Face::new(flat).is_none() && Cone::new([0.0; 3], [flat].into_iter()).is_none()
+            Face::new(flat).is_none() && Cone::new([0.0; 3], [flat].iter().copied()).is_none()
         });
         assert!(found >> number & 1 == 1);
         cover!(number == 7);
@@ -239,7 +239,7 @@ prove! {
             let flat = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
             let turned = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, turn as f32]];
             let triangles = if number < 4 { [flat, turned] } else { [turned, flat] };
-            let Some(cone) = Cone::new([2.0, 2.0, 0.0], triangles.into_iter()) else { return false };
+            let Some(cone) = Cone::new([2.0, 2.0, 0.0], triangles.iter().copied()) else { return false };
             let axis = cone.axis.map(f64::from);
             let turn = f64::from(turn);
             let length = root_above(turn * turn + 16.0);
@@ -306,7 +306,7 @@ prove! {
         let found = which(11, |power| {
             let at = (1 << power) as f32;
             let [a, b, c] = [[at; 3], [2.0 * at, at, at], [at, 2.0 * at, at]];
-            let Some(cone) = Cone::new([f64::from(at); 3], [[a, b, c]].into_iter()) else { return false };
+            let Some(cone) = Cone::new([f64::from(at); 3], [[a, b, c]].iter().copied()) else { return false };
             let least = 2.0 * f64::from(at) / (1u64 << 40) as f64;
             least <= f64::from(cone.offset) && f64::from(cone.offset) <= least * (1.0 + 1.0 / 262_144.0)
         });
@@ -316,12 +316,15 @@ prove! {
 
     /// However small triangles are, the planes have an offset.
     [Cone::new, Face::new]
-    fn smallest_triangles_have_an_offset(power: u32 = 1..=16) {
-        let least = f32::from_bits(1 << power);
-        let triangle = [[0.0; 3], [least, 0.0, 0.0], [0.0, least, 0.0]];
-        let offset = Cone::new([0.0; 3], [triangle].into_iter()).map_or(-1.0, |cone| cone.offset);
-        assert!(offset > 0.0 && offset < 1e-37);
-        cover!(power == 16);
+    fn smallest_triangles_have_an_offset(power: i32 = 0..=15) {
+        let found = which(16, |power| {
+            let least = f32::from_bits(2 << power);
+            let triangle = [[0.0; 3], [least, 0.0, 0.0], [0.0, least, 0.0]];
+            let cone = Cone::new([0.0; 3], [triangle].iter().copied());
+            cone.is_some_and(|cone| cone.offset > 0.0 && cone.offset < 1e-37)
+        });
+        assert!(found >> power & 1 == 1);
+        cover!(power == 15);
     }
 
     /// A cone is culled from the eyes that are behind all planes within its offset and its spread, and from no others:

@@ -41,8 +41,7 @@ prove! {
         if hidden {
             worth.hidden();
         }
-        assert!(worth.0 <= Worth::NEW.0 && worth.0 >= left);
-        assert!(!hidden || worth.0 == Worth::NEW.0 || worth.0 == left + 32);
+        assert!(worth.0 == if hidden { Worth::NEW.0.min(left + 32) } else { left });
         let before = worth.0;
         assert!(worth.asking() == (before > 0));
         assert!(worth.0 == before.saturating_sub(1));
