@@ -22,6 +22,11 @@ mod queue;
 mod messages;
 
 #[test]
+fn beside_the_eye_is_outside() -> Verdict {
+    questions::beside_the_eye_is_outside()
+}
+
+#[test]
 fn levels_have_names() -> Verdict {
     simd::levels_have_names()
 }

@@ -11,7 +11,8 @@ use halfplane_tests::{
             ids_of_batches_are_the_nearest, short_memory_is_refused,
         },
         questions::{
-            answers_about_spheres_are_certain, answers_are_certain, occluders_by_any_name_are_the_same,
+            answers_about_spheres_are_certain, answers_are_certain, beside_the_eye_is_outside,
+            occluders_by_any_name_are_the_same,
         },
     },
     run::check,
@@ -132,6 +133,11 @@ fn spheres_that_are_out_of_sight_are() {
     println!("outside, hidden, visible: {:?}", met.get());
     let all: u32 = met.get().iter().sum();
     assert!(met.get().iter().all(|&count| count > all / 50), "{:?}", met.get());
+}
+
+#[test]
+fn what_is_beside_the_eye_is_outside() {
+    beside_the_eye_is_outside().unwrap();
 }
 
 #[test]

@@ -9,7 +9,7 @@ use halfplane_tests::{
         meshlets::meshlets_are_the_mesh,
         simd::{
             Refused, constant_depths_are_unorm32, depths_are_the_scalar_ones, errors_are_the_scalar_ones,
-            frame_is_the_scalar_one, levels, levels_have_names,
+            frame_is_the_scalar_one, levels_have_names,
         },
     },
     run::check,

@@ -7,7 +7,7 @@ use super::{
 use crate::{Failure, case::Case, ensure, ensure_eq, failure::Verdict};
 use halfplane::{
     Compare, DepthRange, DepthTest, DrawError, Frustum, HierarchicalDepth, Ids, OutsideAttachment, Region,
-    Standard, State, depth_ranges, draw,
+    Standard, State, Viewport, depth_ranges, draw,
     simd::{Level, Occluder, Visibility, Volume, ask},
 };
 
@@ -151,5 +151,28 @@ pub fn occluders_by_any_name_are_the_same(case: &Case) -> Verdict {
     ensure_eq!(answers(questions, &mut depth)?, refused, "itself");
     ensure_eq!(answers(questions, &mut &mut depth)?, refused, "by reference");
     ensure_eq!(answers(questions, &mut (&mut depth, &mut ids))?, refused, "in a pair");
+    Ok(())
+}
+
+/// A box and a sphere that reach behind the eye, where nothing bounds what they cover, and are beside the view frustum.
+pub fn beside_the_eye_is_outside() -> Verdict {
+    let region = Region::<Standard>::of_size(64, 64)?;
+    let (viewport, state) = (Viewport::new(region), State::new(region));
+    // w is z.
+    let matrix = [[1., 0., 0., 0.], [0., 1., 0., 0.], [0., 0., 1., 1.], [0., 0., -0.5, 0.]];
+    let mut storage = Storage::new(region, 0);
+    let mut ranges = vec![DepthRange::UNKNOWN; depth_ranges(64, 64)];
+    let mut depth =
+        HierarchicalDepth::<Standard>::new(region, &mut storage.depths, &mut ranges, DepthTest::LESS)?;
+    let ([x, y, z], radius) = ([-9.0, 1.0, 0.5], 1.0);
+    let (boxes, spheres) =
+        ([[[x - 1.0, y - 1.0, z - 1.0], [x + 1.0, y + 1.0, z + 1.0]]], [([x, y, z], radius)]);
+    for level in levels() {
+        let mut answers = [Visibility::Visible; 2];
+        let [of_box, of_sphere] = &mut answers;
+        ask(level, &boxes, &matrix, &viewport, &state, &mut depth, std::slice::from_mut(of_box))?;
+        ask(level, &spheres, &matrix, &viewport, &state, &mut depth, std::slice::from_mut(of_sphere))?;
+        ensure_eq!(answers, [Visibility::Outside; 2], "{}", level.name());
+    }
     Ok(())
 }

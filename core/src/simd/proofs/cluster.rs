@@ -32,7 +32,7 @@ prove! {
     /// Halves lie apart along the axis along which the triangles are the farthest apart: of two, the first such axis.
     #[kani::unwind(5)]
     [halve, center]
-    fn the_longest_axis_is_halved(x: [i32; 2] = [-20; 2]..=[20; 2], z: [i32; 2] = [-20; 2]..=[20; 2]) {
+    fn the_longest_axis_is_halved(x: [i32; 2] = [-3; 2]..=[3; 2], z: [i32; 2] = [-3; 2]..=[3; 2]) {
         let places = [0, 1].map(|at| [x[at], 5, z[at]].map(|v| v as f32));
         let mut triangles = [[0_u8; 3], [1; 3]];
         halve(&places, &mut triangles, 1);
