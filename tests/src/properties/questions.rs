@@ -26,10 +26,17 @@ fn boxes_round(case: &Case) -> Vec<[[f32; 3]; 2]> {
         .collect()
 }
 
+/// What can be seen in what is drawn to; where that is nothing, in all of the viewport.
+fn frustum(case: &Case) -> Result<Frustum, Failure> {
+    let (viewport, state) = (case.core_viewport()?, case.state()?);
+    let area = viewport.region().intersect(state.scissor).unwrap_or(viewport.region());
+    Ok(Frustum::of_area(&case.model.matrix, &viewport, area))
+}
+
 /// After a frame, whatever is said of boxes round some triangles is the same at every level, and drawing what is said to
 /// be out of sight changes no pixel. How often each answer was given: outside, hidden, visible.
 pub fn answers_are_certain(case: &Case) -> Result<[u32; 3], Failure> {
-    let frustum = Frustum::new(&case.model.matrix);
+    let frustum = frustum(case)?;
     are_certain(case, &boxes_round(case), |&corners| frustum.excludes_box(corners))
 }
 
@@ -43,7 +50,7 @@ pub fn answers_about_spheres_are_certain(case: &Case) -> Result<[u32; 3], Failur
         .iter()
         .map(|corners| sphere_round(corners.map(|corner| case.model.vertices[corner as usize])))
         .collect();
-    let frustum = Frustum::new(&case.model.matrix);
+    let frustum = frustum(case)?;
     are_certain(case, &spheres, |&(center, radius)| frustum.excludes_sphere(center, radius))
 }
 
