@@ -379,7 +379,7 @@ prove! {
     /// Triangles stay as they face from a height and an area on: the limits are those of what is said of `stays`, with
     /// clip coordinates that are sums of terms much larger than they are, and without.
     [Facing::stays, Facing::new, Range::new]
-    fn triangles_stay_from_a_size_on(number: u32 = 0..=31) {
+    fn slow_triangles_stay_from_a_size_on(number: u32 = 0..=31) {
         let found = which(32, |number| {
             let bit = |at: i32| (number >> at & 1) as f32;
             // Where the box begins, how fast w grows with x, and whether x does with y.
