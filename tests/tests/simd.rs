@@ -1,6 +1,6 @@
 //! The vector code at every level of this machine.
 
-use halfplane::{CulledCounts, RejectedCounts, Standard, Statistics, simd::Level};
+use halfplane::{CulledCounts, RejectedCounts, Standard, Statistics};
 use halfplane_tests::{
     Frame,
     case::Case,
