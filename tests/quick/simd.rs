@@ -135,12 +135,12 @@ fn of_queries(random: &mut Random, round: usize) -> Result<[u32; 3], Failure> {
     Ok([outside, hidden, visible])
 }
 
-/// So many large triangles that most are hidden.
+/// Many large triangles, the nearest wins.
 fn crowd(random: &mut Random) -> Case {
     let all: Vec<Numbers> =
         (0..1500).map(|_| (random.bits() as u32, random.words(), random.words())).collect();
     let mut how: [u32; 10] = random.words();
-    // Every position, no face culled, the nearest wins.
+    // Positions as they are wanted, no face culled, nothing drawn before.
     [how[0], how[1], how[2], how[3], how[5]] = [0, 0, 0, 1, 0];
     Case::from_numbers(random.words(), how, &all, &[Kind::Medium, Kind::AxisAligned, Kind::GuardBand])
 }

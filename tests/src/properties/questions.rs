@@ -114,8 +114,8 @@ fn are_certain<V: Volume>(
     Ok([Visibility::Outside, Visibility::Hidden, Visibility::Visible].map(count))
 }
 
-/// An occluder by reference, in a pair with another attachment, and both: the same answers, and where the scissor reaches
-/// beyond it, it refuses to be asked and drawn to.
+/// An occluder by reference, and in a pair with another attachment: the same answers, and where the scissor reaches beyond
+/// it, it refuses to be asked.
 pub fn occluders_by_any_name_are_the_same(case: &Case) -> Verdict {
     let (state, region, viewport) = (case.state()?, case.frame.core_region()?, case.core_viewport()?);
     let (matrix, triangles) = (&case.model.matrix, case.indices.as_chunks::<3>().0);

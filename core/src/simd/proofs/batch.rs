@@ -52,8 +52,8 @@ prove! {
         cover!(given == 1);
     }
 
-    /// It is the w of one of the box's corners, the smallest, in which no other vertex of the box has a smaller one, as
-    /// rounded: for any places along one axis.
+    /// The distance is the smallest w of the box's corners, and no vertex in the box has a smaller one, as rounded: for any
+    /// places along one axis.
     [Batch::distance]
     fn no_vertex_is_nearer(low: u32, high: u32, place: u32) {
         let [low, high, place] = [low, high, place].map(f32::from_bits);
